@@ -1,6 +1,6 @@
 # The short way in. Everything here can also be done with the CMake presets (cmake --list-presets).
 .DEFAULT_GOAL := help
-.PHONY: help setup build python modal-tools demo web web-serve test test-fast test-long coverage systems bench validate results docs paper paper-quick format lint \
+.PHONY: help setup build python modal-tools demo web web-serve wheel npm static test test-fast test-long coverage systems bench validate results docs paper paper-quick format lint \
 	install uninstall clean
 
 JOBS ?= $(shell nproc)
@@ -35,6 +35,17 @@ web: setup ## build the page, with the core in WebAssembly, into build/web
 
 web-serve: web ## serve it on this machine: http://127.0.0.1:8000 (PORT=... for another port)
 	@$(PYTHON) -m http.server $(PORT) --bind 127.0.0.1 --directory build/web
+
+wheel: ## the Python package for other machines, and its sources (sdist): build/dist
+	@scripts/install-dependencies.sh python
+	@scripts/wheel.sh
+
+npm: setup ## the core in WebAssembly for JavaScript and TypeScript, as an npm package: build/dist
+	@scripts/npm.sh $(JOBS)
+
+static: build ## the command without shared libraries, to be copied anywhere: build/static/stoss
+	@cmake --build --preset release -j $(JOBS) --target stoss_static
+	@install -D build/release/static/stoss build/static/stoss && ls -l build/static/stoss
 
 test: ## what must hold: tests of every face, what handles memory under sanitizers, downstream projects, format
 	@scripts/test.sh whole $(JOBS)

@@ -25,4 +25,10 @@ void count_apart(benchmark::State& state, double lost_fraction, double converged
   state.counters[apart_counter] = 1.0;
 }
 
+stoss::RefinableContact with_modes(const stoss::BodyMaker& body, const stoss::Restitution& result) {
+  stoss::RefinableContact contact(body);
+  for (const stoss::Run& run : result.runs) static_cast<void>(contact.at(run.cutoff, 1.0, {}));
+  return contact;
+}
+
 }  // namespace bench

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "stoss/body/body.hpp"
+#include "stoss/restitution/restitution.hpp"
 
 namespace bench {
 
@@ -35,6 +36,9 @@ inline constexpr const char* quoted_to_counter = "finite elements to [s]";
 
 /// The disk with all modes up to a cutoff, made once.
 const stoss::Body& disk_body(double cutoff);
+
+/// A body at a wall with the modes for the runs of a result, and nothing else that they share.
+stoss::RefinableContact with_modes(const stoss::BodyMaker& body, const stoss::Restitution& result);
 
 /// Registers a benchmark of one task, timed in milliseconds.
 template <typename Function>

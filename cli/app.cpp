@@ -27,10 +27,11 @@ std::vector<std::string> candidates(const CLI::App& app) {
 
 }  // namespace
 
-void declare(CLI::App& app) {
+void declare(CLI::App& app, std::string_view commit) {
   app.description("Coefficient of restitution of elastic bodies from first principles");
   app.name("stoss");
-  app.set_version_flag("--version", fmt::format("stoss {}", stoss::version()), "Print the version and exit");
+  const std::string origin = commit.empty() ? "" : fmt::format(" (commit {})", commit);
+  app.set_version_flag("--version", fmt::format("stoss {}{}", stoss::version(), origin), "Print the version and exit");
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.require_subcommand(1);
   app.footer(

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -12,7 +13,8 @@
 namespace stoss::cli {
 
 /// Declares all subcommands and options, once: the man page and the completion are made from this declaration too.
-void declare(CLI::App& app);
+/// @param commit that --version names; none if it is empty
+void declare(CLI::App& app, std::string_view commit = {});
 
 /// Thrown at the end of a subcommand that has written all it has, but not as accurate as asked for.
 struct NotAsAsked {};

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "app.hpp"
+#include "commit.hpp"
 #include "output/output.hpp"
 #include "process/process.hpp"
 #include "process/system.hpp"
@@ -40,7 +41,7 @@ std::vector<std::string> words(int argc, char** argv) {
 
 int run(int argc, char** argv) {
   CLI::App app;
-  stoss::cli::declare(app);
+  stoss::cli::declare(app, stoss::cli::commit());
   try {
     app.parse(words(argc, argv));
     return ok;

@@ -1,5 +1,4 @@
 import { readFileSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 import { equations } from './plugins/equations';
 
@@ -12,8 +11,6 @@ if (version === undefined) throw new Error('CMakeLists.txt: the version of the p
 export default defineConfig({
   define: { STOSS_VERSION: JSON.stringify(version) },
   base: './',
-  // What scripts/web.sh has built of web/core.
-  resolve: { alias: { '@wasm': fileURLToPath(new URL('../build/wasm', import.meta.url)) } },
   plugins: [equations(process.env.STOSS_DOCUMENTATION ?? '')],
   build: { outDir: '../build/web', emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0 },
   worker: { format: 'es' },

@@ -30,6 +30,14 @@ std::optional<Value> value_of_csv(const std::string& cell) {
   return !beyond && end == cell.c_str() + cell.size() ? std::optional<Value>(number) : std::nullopt;
 }
 
+/// A text that has commas stands in quotes.
+std::string cell_of_csv(const Value& value) {
+  std::string text = full_precision(value);
+  if (text.find_first_of(",\"") == std::string::npos) return text;
+  for (auto at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2)) text.insert(at, 1, '"');
+  return '"' + text + '"';
+}
+
 /// As in 3.49794(14)e-19: the error has two digits and counts units of the last digit of the value.
 std::string in_powers_of_ten(double value, double error) {
   const std::string doubt = fmt::format("{:.1e}", error);
@@ -113,7 +121,7 @@ std::string csv_columns(const Columns& columns) {
 
 std::string csv_row(const Row& row) {
   std::vector<std::string> cells;
-  std::transform(row.begin(), row.end(), std::back_inserter(cells), full_precision);
+  std::transform(row.begin(), row.end(), std::back_inserter(cells), cell_of_csv);
   return fmt::format("{}", fmt::join(cells, ","));
 }
 

@@ -25,7 +25,7 @@ extensions = [
     "repository",
     "theme",
 ]
-exclude_patterns = ["extra"]
+exclude_patterns = ["extra", "paper"]
 root_doc = "index"
 nitpicky = False
 

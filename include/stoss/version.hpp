@@ -6,7 +6,10 @@
 
 namespace stoss {
 
-/// Version of the library, as in "0.1.0".
+/// Version of the library, as in "1.0.0": that of what is linked, at run time.
+///
+/// Three numbers: the first changes with what users must change, the second with what is new, the third with what is
+/// mended (docs/versions.md). Files that stoss writes name it. The commit is known to the command (`stoss --version`).
 [[nodiscard]] std::string_view version();
 
 }  // namespace stoss

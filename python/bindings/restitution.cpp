@@ -37,9 +37,11 @@ struct Asked {
   std::uint64_t seed;
   double error;
   int threads;
+  long first = 0;
 
   [[nodiscard]] DistributionOptions options() const {
-    return {.samples = samples, .seed = seed, .error = error, .threads = threads, .poll = signal_poll()};
+    return {
+        .first = first, .samples = samples, .seed = seed, .error = error, .threads = threads, .poll = signal_poll()};
   }
 };
 
@@ -129,13 +131,13 @@ void bind_distribution(py::module_& module) {
   module.def(
       "restitution_distribution",
       [](const RefinableContact& contact, double speed, const Means& spectrum, std::uint64_t seed, double error,
-         int threads, py::array& rows, const py::list& reasons, const std::optional<py::function>& tick) {
-        const Asked asked{static_cast<long>(rows.size()), seed, error, threads};
+         int threads, py::array& rows, const py::list& reasons, const std::optional<py::function>& tick, long first) {
+        const Asked asked{static_cast<long>(rows.size()), seed, error, threads, first};
         distribution(contact, speed, to_spectrum(spectrum), asked, rows, reasons, tick);
       },
       py::arg("contact"), py::arg("speed"), py::arg("spectrum"), py::arg("seed"), py::arg("error"), py::arg("threads"),
-      py::arg("rows").noconvert(), py::arg("reasons"), py::arg("tick"),
-      "fills rows and reasons; calls tick, unless it is None, after each");
+      py::arg("rows").noconvert(), py::arg("reasons"), py::arg("tick"), py::arg("first") = 0,
+      "fills rows and reasons from sample `first` on; calls tick, unless it is None, after each");
   module.def("summary", &summarize, py::arg("restitution"), py::arg("error"), "of samples, at least one with a value");
 }
 

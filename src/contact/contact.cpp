@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "check.hpp"
+#include "contact/set_ups.hpp"
 #include "contact/unit_ratios.hpp"
 #include "stoss/errors.hpp"
 
@@ -65,6 +66,7 @@ Contact contact(std::shared_ptr<const Body> body, const Wall& wall) {
   contact.groups = body->groups;
   contact.first_groups = body->groups.size();
   contact.first = std::move(body);
+  contact.set_ups = std::make_shared<SetUps>();
   return contact;
 }
 
@@ -87,6 +89,7 @@ Contact contact(std::shared_ptr<const Body> first, std::shared_ptr<const Body> s
   add_modes(*second, units, shape_rows(*first), contact);
   contact.first = std::move(first);
   contact.second = std::move(second);
+  contact.set_ups = std::make_shared<SetUps>();
   return contact;
 }
 

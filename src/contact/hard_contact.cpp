@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "contact/touch.hpp"
 
@@ -20,11 +21,25 @@ double start_before(double kick, double range, double touch, double stride) {
   return touch - (steps + phase) * stride;
 }
 
+namespace {
+
+std::shared_ptr<const SetUp> set_up(const Contact& contact, const ContactGrid& grid, ResidualMotion::Inertia inertia,
+                                    double step, const Poll& poll) {
+  if (contact.set_ups != nullptr) return contact.set_ups->of(contact, grid, inertia, step, poll);
+  return std::make_shared<const SetUp>(make_set_up(contact, grid, inertia, step, poll));
+}
+
+}  // namespace
+
 HardContact::HardContact(const Contact& contact, const ContactGrid& grid, ResidualMotion::Inertia inertia, double speed,
                          double step, const Poll& poll)
+    : HardContact(contact, grid, *set_up(contact, grid, inertia, step, poll), speed, step, poll) {}
+
+HardContact::HardContact(const Contact& contact, const ContactGrid& grid, const SetUp& made, double speed, double step,
+                         const Poll& poll)
     : step_(step),
-      residuals_(contact, grid, inertia, step, poll),
-      contact_(residuals_.compliance(), edge_law(contact, grid, speed), grid.recess.size(), poll),
+      residuals_(made.residuals),
+      contact_(made.compliance, edge_law(contact, grid, speed), poll),
       lossy_(longest_loss_time(contact) > 0.0),
       first_share_(loss_share(contact)),
       position_(grid.recess.size()),

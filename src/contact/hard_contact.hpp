@@ -5,6 +5,7 @@
 #include "contact/edge/edge_contact.hpp"
 #include "contact/residual/residuals.hpp"
 #include "contact/response.hpp"
+#include "contact/set_ups.hpp"
 
 namespace stoss {
 
@@ -51,6 +52,9 @@ class HardContact : public ContactResponse {
   double edge_work_ = 0.0;  // of lossy bodies: ∫ f (ẋ_dyn − u̇) dt, what the edge law takes
 
  private:
+  HardContact(const Contact& contact, const ContactGrid& grid, const SetUp& made, double speed, double step,
+              const Poll& poll);
+
   double range_, touch_, first_kick_;
 };
 

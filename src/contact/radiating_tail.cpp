@@ -15,17 +15,24 @@ RadiatingTail::RadiatingTail(const Contact& contact, const ContactGrid& grid, do
 
 const std::vector<double>& RadiatingTail::advance(const std::vector<double>& position) {
   const std::size_t nodes = position.size();
+  if (at_rest_ && contact_.is_clear(position)) {
+    position_ = position;
+    return force_;
+  }
+  at_rest_ = false;
   const std::vector<double>& free = residuals_.predict();
   for (std::size_t i = 0; i < nodes; ++i) gap_[i] = position[i] - free[i];
   old_force_.swap(force_);
+  const std::size_t extent_before = contact_.extent();
   contact_.follow(position_.front(), position.front(), step_);
   contact_.solve(gap_, force_, contact_displacement_);
-  for (std::size_t i = 0; i < nodes; ++i) {
-    const double before = displacement_[i], moved = position[i] - position_[i];
-    displacement_[i] = free[i] + contact_displacement_[i];
-    edge_work_ += 0.5 * (old_force_[i] + force_[i]) * (moved - (displacement_[i] - before));
-    work_ += 0.5 * (old_force_[i] + force_[i]) * moved;
+  const std::size_t pushed = std::max(extent_before, contact_.extent());
+  for (std::size_t i = 0; i < pushed; ++i) work_ += 0.5 * (old_force_[i] + force_[i]) * (position[i] - position_[i]);
+  for (std::size_t i = 0; lossy_ && i < pushed; ++i) {
+    const double opened = position[i] - position_[i] - (free[i] + contact_displacement_[i] - displacement_[i]);
+    edge_work_ += 0.5 * (old_force_[i] + force_[i]) * opened;
   }
+  for (std::size_t i = 0; i < nodes; ++i) displacement_[i] = free[i] + contact_displacement_[i];
   residuals_.move(displacement_, force_, contact_.extent());
   position_ = position;
   return force_;

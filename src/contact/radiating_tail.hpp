@@ -19,6 +19,7 @@ class RadiatingTail final : public HardContact {
 
  private:
   std::vector<double> contact_displacement_;  // W′f
+  bool at_rest_ = true;                       // before anything has touched
   // ∫ f u̇ dt = ∫ f ẋ_dyn dt, as f = 0 where the two differ; by the trapezium rule in x_dyn, which is smooth.
   double work_ = 0.0;
 };

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "encounter/formats.hpp"
 #include "encounter/json_values.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/encounter/modal_file.hpp"
@@ -210,7 +211,8 @@ Encounter encounter_from_json(std::string_view text) {
   } catch (const Json::exception& error) {
     throw InvalidInput("encounter: got no JSON document, allowed one (" + std::string(error.what()) + ")");
   }
-  if (!object("encounter", document).contains("first")) refuse("encounter", document, "an object with a first body");
+  if (object("encounter", document).contains("format")) require_format("format", document["format"], encounter_format);
+  if (!document.contains("first")) refuse("encounter", document, "an object with a first body");
   Encounter encounter;
   for (const auto& [name, value] : document.items()) {
     if (name == "first") {
@@ -223,8 +225,8 @@ Encounter encounter_from_json(std::string_view text) {
       refuse(name, value, "a list of modes");
     } else if (name == "friction") {
       encounter.friction = number(name, value);
-    } else {
-      refuse("encounter", name, "first, against, vibration, friction");
+    } else if (name != "format") {
+      refuse("encounter", name, "format, first, against, vibration, friction");
     }
   }
   validate(encounter);
@@ -232,7 +234,8 @@ Encounter encounter_from_json(std::string_view text) {
 }
 
 std::string to_json(const Encounter& encounter) {
-  Json document{{"first", described(encounter.first)}, {"against", described(encounter.against)}};
+  Json document{
+      {"format", encounter_format}, {"first", described(encounter.first)}, {"against", described(encounter.against)}};
   for (const Oscillation& mode : encounter.vibration) {
     document["vibration"].push_back({{"body", mode.body == 0 ? "first" : "second"},
                                      {"order", mode.order},

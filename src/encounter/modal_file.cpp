@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "encounter/formats.hpp"
 #include "encounter/json_values.hpp"
 #include "encounter/modal_rotation.hpp"
 
@@ -16,7 +17,6 @@ namespace {
 
 using namespace json;
 
-constexpr const char* format = "stoss modal body 1";
 constexpr double turn = 2.0 * std::numbers::pi;
 
 void read_curvature(const std::string& where, const Json& given, ModalBody& body) {
@@ -78,12 +78,10 @@ ModalBody modal_body_from_json(std::string_view text, const std::string& where) 
   } catch (const Json::exception& error) {
     throw InvalidInput(where + ": got no JSON document, allowed one (" + std::string(error.what()) + ")");
   }
+  require_format(where + " format", object(where, given).value("format", Json()), modal_body_format);
   require_keys(where, given,
                {"format", "name", "origin", "mass", "rotation", "curvature", "young", "poisson", "density", "loss_time",
                 "compliance", "compliance_error", "complete_to", "tangent", "modes"});
-  if (!given.contains("format") || given["format"] != format) {
-    refuse(where + " format", given.value("format", Json()), '"' + std::string(format) + '"');
-  }
   ModalBody body;
   if (given.contains("name")) body.name = word(where + " name", given["name"], "a name");
   if (given.contains("origin")) body.origin = word(where + " origin", given["origin"], "a text");
@@ -130,7 +128,7 @@ std::string to_json(const ModalBody& body) {
     if (body.tangent->has_bends) all("tangential_displacement_curvature", 1.0, &PointMode::tangential_bend);
     all("tangential_displacement_error", 1.0, &PointMode::tangential_error);
   }
-  Json document{{"format", format}, {"name", body.name}};
+  Json document{{"format", modal_body_format}, {"name", body.name}};
   if (!body.origin.empty()) document["origin"] = body.origin;
   document["mass"] = body.mass;
   document["curvature"] = {body.curvature + half, body.curvature - half};

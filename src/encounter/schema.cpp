@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "encounter/formats.hpp"
 #include "stoss/encounter/kinds.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/impact/oblique.hpp"
@@ -106,7 +107,7 @@ Json modal_body() {
   return {{"type", "object"},
           {"description", "a body by its modes at a point and the compliance of all others, as its file has it"},
           {"properties",
-           {{"format", {{"const", "stoss modal body 1"}}},
+           {{"format", {{"const", json::modal_body_format}}},
             {"name", {{"type", "string"}}},
             {"origin", {{"type", "string"}}},
             {"mass", in("kg", positive)},
@@ -187,11 +188,13 @@ std::string encounter_schema() {
   }
   against.push_back({{"enum", names}});
   const Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                    {"title", "stoss encounter"},
+                    {"$id", "urn:stoss:encounter:1"},
+                    {"title", json::encounter_format},
                     {"description", "Who meets whom, and how both are given; " + who_meets_whom()},
                     {"type", "object"},
                     {"properties",
-                     {{"first", {{"oneOf", first}}},
+                     {{"format", {{"const", json::encounter_format}}},
+                      {"first", {{"oneOf", first}}},
                       {"against", {{"oneOf", against}, {"default", "wall"}}},
                       {"vibration", vibration()},
                       {"friction",

@@ -46,8 +46,10 @@ double Collision::translation() const { return 0.5 * contact_.mass * velocity() 
 void Collision::respond() {
   for (std::size_t i = 0; i < position_.size(); ++i) position_[i] = compression_ - grid_.recess[i];
   modes_.add_displacement(position_);
-  foremost_before_ = foremost_;
-  foremost_ = *std::max_element(position_.begin(), position_.end());
+  if (!history_.has_touched()) {
+    foremost_before_ = foremost_;
+    foremost_ = *std::max_element(position_.begin(), position_.end());
+  }
   const std::vector<double>& force = response_->advance(position_);
   node_force_ = &force;
   force_ = 0.0;

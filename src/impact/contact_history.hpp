@@ -28,6 +28,7 @@ class ContactHistory {
   [[nodiscard]] bool samples_energy() const { return in_contact_ && (contact_steps_ - 1) % sampling == 0; }
 
   [[nodiscard]] bool in_contact() const { return in_contact_; }
+  [[nodiscard]] bool has_touched() const { return contacts_ > 0; }
   [[nodiscard]] long steps() const { return steps_; }
   [[nodiscard]] double time() const { return static_cast<double>(steps_) * step_; }
   [[nodiscard]] double impulse() const { return impulse_; }

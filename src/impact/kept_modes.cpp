@@ -121,9 +121,12 @@ void KeptModes::load(const std::vector<double>& force, std::size_t count) {
   kernels::multiply_transposed(shapes_by_node_.data(), amplitude_.size(), count, 0, amplitude_.size(), force.data(),
                                amplitude_.data());
   const double scale = step_ / mass_;
-  for (std::size_t g = 0; g < size_.size(); ++g) {
-    push_[g] = scale * amplitude_[shapes_of_[g].upper];
-    push_[push_.size() / 2 + g] = scale * amplitude_[shapes_of_[g].lower];
+  double* const upper = push_.data();
+  double* const lower = upper + push_.size() / 2;
+  const double* const amplitude = amplitude_.data();
+  for (std::size_t g = 0; const Rows& rows : shapes_of_) {
+    upper[g] = scale * amplitude[rows.upper];
+    lower[g++] = scale * amplitude[rows.lower];
   }
 }
 
@@ -152,9 +155,12 @@ void KeptModes::advance() {
 
 void KeptModes::add_displacement(std::vector<double>& position) {
   std::fill(amplitude_.begin(), amplitude_.end(), 0.0);
-  for (std::size_t g = 0; g < size_.size(); ++g) {
-    amplitude_[shapes_of_[g].upper] += edge_[g];
-    amplitude_[shapes_of_[g].lower] += edge_[edge_.size() / 2 + g];
+  const double* const upper = edge_.data();
+  const double* const lower = upper + edge_.size() / 2;
+  double* const amplitude = amplitude_.data();
+  for (std::size_t g = 0; const Rows& rows : shapes_of_) {
+    amplitude[rows.upper] += upper[g];
+    amplitude[rows.lower] += lower[g++];
   }
   kernels::multiply_transposed(shapes_.data(), nodes_, shapes_.size() / nodes_, 0, nodes_, amplitude_.data(),
                                moved_.data());
@@ -200,7 +206,8 @@ double KeptModes::reach(std::size_t begin, std::size_t end) const {
     const double lower = greatest(shapes_of_[g].lower);
     for (std::size_t l = 0; l < size_[g]; ++l) {
       const std::size_t k = position(g, l);
-      sum += std::hypot(a_[k], velocity(g, k)) * (std::abs(upper_[k]) * upper + std::abs(lower_[k]) * lower);
+      const double v = velocity(g, k);
+      sum += std::sqrt(a_[k] * a_[k] + v * v) * (std::abs(upper_[k]) * upper + std::abs(lower_[k]) * lower);
     }
   }
   return sum;

@@ -4,14 +4,7 @@
 #include <array>
 #include <cmath>
 
-// Function multiversioning: one portable binary that uses AVX2 where the processor has it (AVX-512 was no faster).
-// Sanitizers cannot run before the resolver, and clang 14 lacks architecture levels here; both get the portable code.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__ELF__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define STOSS_MULTIVERSION __attribute__((target_clones("arch=x86-64-v3", "default")))
-#else
-#define STOSS_MULTIVERSION
-#endif
+#include "numeric/multiversion.hpp"
 
 namespace stoss::numeric::kernels {
 namespace {
@@ -187,6 +180,28 @@ void add_transposed(const double* matrix, std::size_t stride, std::size_t rows, 
   }
   for (; i < count; ++i) {
     for (std::size_t j = 0; j < rows; ++j) result[i] += matrix[j * stride + i] * x[j];
+  }
+}
+
+STOSS_MULTIVERSION
+void add_lower_products(const double* a, const double* b, std::size_t stride, std::size_t rows, std::size_t first,
+                        std::size_t last, double* sum) {
+  constexpr std::size_t height = 4;  // with `lanes` columns as many sums as stay in registers
+  for (std::size_t i = first; i < last; i += height) {
+    for (std::size_t j = 0; j <= i; j += lanes) {
+      std::array<Lanes, height> block{};
+      for (std::size_t k = 0; k < rows; ++k) {
+        const double* const left = a + k * stride + i;
+        const double* const right = b + k * stride + j;
+        for (std::size_t h = 0; h < height; ++h) {
+#pragma omp simd
+          for (std::size_t l = 0; l < lanes; ++l) block[h][l] += left[h] * right[l];
+        }
+      }
+      for (std::size_t h = 0; h < height; ++h) {
+        for (std::size_t l = 0; l < lanes; ++l) sum[(i + h) * stride + j + l] += block[h][l];
+      }
+    }
   }
 }
 

@@ -50,6 +50,13 @@ void multiply_transposed(const double* matrix, std::size_t stride, std::size_t r
 void add_transposed(const double* matrix, std::size_t stride, std::size_t rows, std::size_t count, const double* x,
                     double* result);
 
+/// Adds products of the rows of two row-major matrices, whose sum is symmetric, to the lower triangle of a matrix:
+/// sum[i][j] += Σ_{k<rows} a[k][i] b[k][j] for first ≤ i < last and j ≤ i; entries up to the next whole vector become
+/// void.
+/// @param stride of all three, and `first` and `last`: whole vectors of `lanes`
+void add_lower_products(const double* a, const double* b, std::size_t stride, std::size_t rows, std::size_t first,
+                        std::size_t last, double* sum);
+
 /// Sums over oscillators of a weight w each, of steps k = 1 … steps: sine[k − 1] = Σ w² sin(ω k Δt)/ω and
 /// cosine[k − 1] = Σ w² cos(ω k Δt).
 void sum_oscillations(const double* omega, const double* weight, std::size_t count, double step, std::size_t steps,

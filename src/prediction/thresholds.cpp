@@ -6,7 +6,7 @@
 namespace stoss {
 
 Thresholds thresholds(const Encounter& encounter, const PredictionOptions& options) {
-  const Touching its = prediction::touching(encounter, options.work_of_adhesion);
+  const prediction::Touching its = prediction::touching(encounter, options.work_of_adhesion);
   Thresholds made;
   made.yield = its.yield_speed;
   if (its.yield_speed) made.impression = prediction::speed_of_impression(its);

@@ -151,9 +151,9 @@ TEST(HalfSpace, ResponseBetweenRingsIsThatOfStaticLoads) {
 TEST(HalfSpace, ResidualsArePositiveDefinite) {
   for (const double poisson : {-0.5, 0.0, 0.3, 0.4999}) {
     for (const double width : {1e-4, 0.02, 0.5, 1.3}) {
-      for (const bool along : {false, true}) {
+      for (const bool sideways : {false, true}) {
         Body body = stoss::half_space(HalfSpace{poisson}, 8.0, 12.0);
-        if (along) body = body.along({}).front();
+        if (sideways) body = body.along({}).front();
         const ContactPoints points{1.0, width / 48.0, 48};
         const std::vector<double> w = body.residual_compliance(points, {}), v = body.residual_second_moment(points, {});
         using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

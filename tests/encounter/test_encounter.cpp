@@ -99,7 +99,7 @@ TEST(Encounter, RefusesInOneLine) {
 
 TEST(EncounterDocument, ReadsBackAsItWasWritten) {
   const std::string text =
-      R"({"first":{"kind":"sphere","radius":0.005,"material":"bearing steel"},)"
+      R"({"format":"stoss encounter 1","first":{"kind":"sphere","radius":0.005,"material":"bearing steel"},)"
       R"("against":{"kind":"half-space","material":{"young":70000000000.0,"poisson":0.22,"density":2500.0}},)"
       R"("vibration":[{"body":"first","order":2,"index":0,"energy":0.1,"phase":1.5}]})";
   const Encounter read = encounter_from_json(text);
@@ -107,16 +107,18 @@ TEST(EncounterDocument, ReadsBackAsItWasWritten) {
   EXPECT_EQ(read.first.material->yield_strength, 1.7e9);
   EXPECT_EQ(to_json(encounter_from_json(to_json(read))), to_json(read));
   EXPECT_EQ(to_json(read), text);
-  const std::string bare = R"({"first":{"kind":"disk","poisson":0.33},"against":"wall"})";
+  const std::string bare = R"({"format":"stoss encounter 1","first":{"kind":"disk","poisson":0.33},"against":"wall"})";
   EXPECT_EQ(to_json(encounter_from_json(bare)), bare);
 }
 
 TEST(EncounterDocument, MayHaveFriction) {
-  const std::string rough = R"({"first":{"kind":"disk","poisson":0.33},"against":"wall","friction":0.3})";
+  const std::string rough =
+      R"({"format":"stoss encounter 1","first":{"kind":"disk","poisson":0.33},"against":"wall","friction":0.3})";
   EXPECT_EQ(encounter_from_json(rough).friction, 0.3);
   EXPECT_EQ(to_json(encounter_from_json(rough)), rough);
   const std::string smooth = R"({"first":{"kind":"disk","poisson":0.33},"against":"wall","friction":0})";
-  EXPECT_EQ(to_json(encounter_from_json(smooth)), R"({"first":{"kind":"disk","poisson":0.33},"against":"wall"})");
+  EXPECT_EQ(to_json(encounter_from_json(smooth)),
+            R"({"format":"stoss encounter 1","first":{"kind":"disk","poisson":0.33},"against":"wall"})");
   const auto said = [](const std::string& friction) {
     const std::string text = R"({"first":{"kind":"disk","poisson":0.33},"friction":)" + friction + "}";
     return test::message_of<InvalidInput>([&] { (void)encounter_from_json(text); });
@@ -135,7 +137,7 @@ TEST(EncounterDocument, IsRefusedInOneLine) {
   EXPECT_EQ(said(R"({"first":{"kind":"disk","poison":0.3}})"),
             "first: got \"poison\", allowed kind, poisson, radius, young, density, loss_time, material, plane, rigid");
   EXPECT_EQ(said(R"({"first":{"kind":"disk","poisson":0.3},"speed":1})"),
-            "encounter: got \"speed\", allowed first, against, vibration, friction");
+            "encounter: got \"speed\", allowed format, first, against, vibration, friction");
   EXPECT_EQ(said(R"({"first":{"kind":"sphere","radius":1,"material":"steal"}})").substr(0, 45),
             "material: got 'steal', allowed steel, glass, ");
   EXPECT_EQ(said("{").substr(0, 42), "encounter: got no JSON document, allowed o");

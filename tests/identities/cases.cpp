@@ -80,7 +80,7 @@ double cutoff_of(const Case& its) {
 }
 
 void add(const Named& first, const Named* second, const Meeting& meeting, std::vector<Case>& cases,
-         bool half_space = false, double thickness = 0.0) {
+         bool half_space = false, double of_plate = 0.0) {
   for (const double speed : meeting.speeds) {
     Case its;
     its.name = first.name + (second == nullptr ? "" : "_" + second->name) + "_" + meeting.name + "_" +
@@ -88,7 +88,7 @@ void add(const Named& first, const Named* second, const Meeting& meeting, std::v
     its.first = first.solid;
     if (second != nullptr) its.second = second->solid;
     its.half_space = half_space;
-    its.thickness = thickness;
+    its.thickness = of_plate;
     its.soft = meeting.soft;
     its.tail = meeting.tail;
     its.speed = speed;

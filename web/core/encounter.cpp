@@ -6,7 +6,10 @@
 #include "questions.hpp"
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/materials.hpp"
+#include "stoss/encounter/schema.hpp"
 #include "stoss/encounter/series.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/version.hpp"
 
 namespace stoss {
 
@@ -47,7 +50,11 @@ Meeting::Meeting(const std::string& document)
       first(first_solid(encounter)),
       second(second_solid(encounter)),
       si(si_scales(encounter)),
-      contact(refinable(encounter)) {}
+      contact(refinable(encounter)) {
+  if (encounter.vibration.empty()) return;
+  throw InvalidInput("vibration: got " + std::to_string(encounter.vibration.size()) +
+                     " modes, allowed none (the command and the Python package compute bodies that vibrate before)");
+}
 
 bool Meeting::against_unbounded() const {
   const Kind& its = kind(encounter.against.kind);
@@ -92,6 +99,11 @@ val elastic(const Solid& solid, double unit) {
   return made;
 }
 
+val version(const Question&) { return val(std::string(stoss::version())); }
+
+/// The schema of documents, of which web/plugins/documents.mjs makes their types.
+val schema(const Question&) { return val(encounter_schema()); }
+
 /// The table of kinds and the named materials, as JSON: web/plugins/kinds.mjs writes them for the page.
 val kinds(const Question&) { return val(Json{{"kinds", stoss::kinds()}, {"materials", named_materials()}}.dump()); }
 
@@ -132,6 +144,8 @@ val series(const Question& asked) { return float64_array(parse_series(asked.text
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(encounter) {
+  emscripten::function("version", &answered<version>);
+  emscripten::function("schema", &answered<schema>);
   emscripten::function("kinds", &answered<kinds>);
   emscripten::function("units", &answered<units>);
   emscripten::function("speed", &answered<speed>);

@@ -24,9 +24,9 @@ ObliqueCase at_angle(const Question& asked, const Meeting& meeting, double angle
   const double spin = meeting.unit(Dimension::frequency), speed = speed_of(asked, meeting);
   return {speed,
           {.tangential = tangential_at(angle, speed),
-           .spin = asked.number("spin") / spin,
-           .second_spin = asked.number("spin2") / spin,
-           .friction = asked.number("friction")}};
+           .spin = asked.number("spin", 0.0) / spin,
+           .second_spin = asked.number("spin2", 0.0) / spin,
+           .friction = asked.number("friction", meeting.encounter.friction)}};
 }
 
 ObliqueCase case_of(const Question& asked, const Meeting& meeting) {
@@ -34,7 +34,8 @@ ObliqueCase case_of(const Question& asked, const Meeting& meeting) {
 }
 
 ObliqueCurveOptions options(const Question& asked) {
-  return {.each = {.tolerance = asked.number("tolerance"), .poll = say_alive}, .threads = 1};
+  return {.each = {.tolerance = asked.number("tolerance", ObliqueOptions{}.tolerance), .poll = say_alive},
+          .threads = 1};
 }
 
 /// Whether the motion is in range. @throws InvalidInput with the name of what is not

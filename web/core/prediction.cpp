@@ -48,8 +48,9 @@ val answer(const Prediction& of) {
 val prediction(const Question& asked) {
   const auto meeting = asked.meeting();
   const std::vector<double> speeds = numbers(asked.given["speeds"]);
-  const PredictionOptions how{.influences = asked.given["constants"].as<bool>(),
-                              .tolerance = asked.number("tolerance"),
+  const val constants = asked.given["constants"];
+  const PredictionOptions how{.influences = constants.isUndefined() || constants.as<bool>(),
+                              .tolerance = asked.number("tolerance", PredictionOptions{}.tolerance),
                               .threads = 1,
                               .poll = say_alive};
   for (std::size_t i = 0; i < speeds.size(); ++i) {

@@ -10,8 +10,8 @@
 #include "javascript.hpp"
 #include "stoss/encounter/encounter.hpp"
 
-/// The questions of web/src/core/protocol.ts and local.ts: each is a function of JavaScript, bound where it is
-/// answered.
+/// The questions of web/package/questions.ts, and those of web/src/core/local.ts: each is a function of JavaScript,
+/// bound where it is answered.
 namespace stoss::web {
 
 /// Who meets whom, with the contacts that are made of it.
@@ -48,6 +48,10 @@ struct Question {
   emscripten::val given, deliver;
 
   [[nodiscard]] double number(const char* name) const { return given[name].as<double>(); }
+  /// Or another, where it is not given.
+  [[nodiscard]] double number(const char* name, double otherwise) const {
+    return given[name].isUndefined() ? otherwise : number(name);
+  }
   [[nodiscard]] std::string text(const char* name) const { return given[name].as<std::string>(); }
 
   /// That of its document; the last few are kept, with the modes of their bodies.

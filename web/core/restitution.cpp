@@ -21,7 +21,8 @@ std::string text(double value) {
 }
 
 CurveOptions options(const Question& asked) {
-  return {.each = {.tolerance = asked.number("tolerance"), .poll = say_alive}, .threads = 1};
+  return {.each = {.tolerance = asked.number("tolerance", RestitutionOptions{}.tolerance), .poll = say_alive},
+          .threads = 1};
 }
 
 /// ε at one speed.
@@ -54,7 +55,8 @@ val curve(const Question& asked) {
 /// The header in C of ε between two speeds, as `stoss table --format c` writes it but for its provenance.
 val header(const Question& asked) {
   const auto meeting = asked.meeting();
-  const double slowest = asked.number("slowest"), fastest = asked.number("fastest"), error = asked.number("error");
+  const double slowest = asked.number("slowest"), fastest = asked.number("fastest");
+  const double error = asked.number("error", FunctionOptions{}.error);
   const RestitutionFunction function = restitution_function(
       meeting->contact, own_speed(meeting->encounter, slowest), own_speed(meeting->encounter, fastest),
       {.error = error, .beyond = Beyond::clamp, .threads = 1, .poll = say_alive});

@@ -1,11 +1,21 @@
-// Writes src/generated/kinds.ts: the core's table of kinds and its named materials, for the types and texts of the page.
+// Writes what the core knows of bodies: src/generated/kinds.ts, its table of kinds and its named materials, for the
+// types and texts of the page; package/generated/documents.ts, the types of encounters, for the package.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import create from '../../build/wasm/stoss.mjs';
+import { typesOf } from './documents.mjs';
 
 const wasmBinary = readFileSync(new URL('../../build/wasm/stoss.wasm', import.meta.url));
-const { kinds, materials } = JSON.parse((await create({ wasmBinary })).kinds({}, null).value);
-const folder = new URL('../src/generated/', import.meta.url);
-mkdirSync(folder, { recursive: true });
+const core = await create({ wasmBinary });
+const asked = (question) => JSON.parse(core[question]({}, null).value);
+
+function write(name, text) {
+  const file = new URL(`../${name}`, import.meta.url);
+  mkdirSync(new URL('.', file), { recursive: true });
+  writeFileSync(file, text);
+}
+
+const { kinds, materials } = asked('kinds');
 const constant = (name, value) => `export const ${name} = ${JSON.stringify(value, null, 2)} as const;\n`;
-writeFileSync(new URL('kinds.ts', folder),
+write('src/generated/kinds.ts',
   `// Made by plugins/kinds.mjs from the core.\n${constant('kinds', kinds)}${constant('materials', materials)}`);
+write('package/generated/documents.ts', typesOf(asked('schema')));

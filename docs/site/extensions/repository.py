@@ -32,7 +32,7 @@ def page_of(path: Path) -> str | None:
         return "examples/index"
     if match := re.fullmatch(r"(examples/\w+)\.py", name):
         return match[1]
-    match = re.fullmatch(r"docs/(.+)\.md", name)
+    match = re.fullmatch(r"docs/(?!paper/)(.+)\.md", name)  # the paper is for other programs
     return match and match[1]
 
 

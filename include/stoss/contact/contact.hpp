@@ -10,6 +10,8 @@
 
 namespace stoss {
 
+class SetUps;
+
 /// Who meets whom, as the one system that an impact needs.
 ///
 /// A body meets a rigid or an exponential wall, or a second body. A pair is a single system in relative motion: with
@@ -33,6 +35,7 @@ struct Contact {
   bool unbounded = false;              ///< the second is a half-space: its modes only carry waves away
   bool gives_way = false;              ///< it is a plate, whose surface an impulse moves away for good
   double radius = 1.0;                 ///< of the circle of the contact points
+  std::shared_ptr<SetUps> set_ups;     ///< what impacts on the same grid share; may be null
 };
 
 /// A body at a wall. @throws InvalidInput for a body or a wall that is not valid

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss._errors import InvalidInput
-from stoss.export import _tables
+from stoss.export import _formats, _tables
 from stoss.export._text import UNKNOWN, with_error
 
 AXES = {"restitution": "speed", "function": "speed", "quasistatic": "speed", "slow impact": "speed",
@@ -93,7 +93,8 @@ def read_csv(path: str | os.PathLike[str]) -> Table:
     """Read a CSV that `to_csv` of a result or the command has written.
 
     Parameters:
-        path (str or path): Of the file; one that is damaged, or of another origin, is refused.
+        path (str or path): Of the file; one that is damaged, or of another origin, or of a stoss
+            whose version begins with a higher number, is refused.
 
     Examples:
         >>> stoss.restitution(poisson=0.33, speed=[0.01, 0.1]).to_csv("curve.csv")
@@ -110,6 +111,7 @@ def read_csv(path: str | os.PathLike[str]) -> Table:
     first = re.match(r"# stoss (\d\S*): (.+)\n", text)
     if not first:
         raise _foreign(name)
+    _formats.require_readable("path", name, first.group(1))
     if not text.endswith("\n"):
         raise _damaged(name, "its last line is not whole")
     lines = text.splitlines()[1:]

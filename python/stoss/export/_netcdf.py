@@ -9,14 +9,15 @@ from typing import TYPE_CHECKING, Any, Mapping
 import numpy as np
 
 from stoss import _core
+from stoss.export import _formats
 from stoss.export._files import whole_file
-from stoss.results._result import QUANTITIES
 from stoss.results._si import si_name
 
 if TYPE_CHECKING:
     from stoss.sweeps._values import Sweep
 
-DIMENSIONS = ("body", "against", "speed")
+SAID = {"speed": "speed of approach", "temperature": "mean energy of each mode over the translational one"}
+"""What axes are; the others are what they are called."""
 
 
 def write(sweep: Sweep, path: str) -> None:
@@ -34,7 +35,12 @@ def write(sweep: Sweep, path: str) -> None:
 
 
 def write_columns(
-    path: str, columns: Mapping[str, Any], dimensions: tuple[str, ...], units: Mapping[str, str], inputs: Mapping[str, Any]
+    path: str,
+    columns: Mapping[str, Any],
+    dimensions: tuple[str, ...],
+    units: Mapping[str, str],
+    inputs: Mapping[str, Any],
+    form: str,
 ) -> None:
     """The columns of a result, of which those named as dimensions are its coordinates."""
     try:
@@ -43,7 +49,7 @@ def write_columns(
         raise ImportError("netcdf: needs the package netCDF4 (python3-netcdf4), which is missing") from None
 
     file = netCDF4.Dataset("result", "w", format="NETCDF4", memory=1)
-    file.setncatts({"Conventions": "CF-1.8", "source": f"stoss {_core.version}"})
+    file.setncatts({"Conventions": "CF-1.8", "format": form, "source": f"stoss {_core.version}"})
     file.setncatts({key: str(value) for key, value in inputs.items()})
     shape = next(iter(columns.values())).shape
     for axis, (name, size) in enumerate(zip(dimensions, shape)):
@@ -70,10 +76,10 @@ def _describe(file: Any, sweep: Sweep) -> None:
     file.setncatts(
         {
             "Conventions": "CF-1.8",
+            "format": _formats.SWEEP,
             "title": "Coefficient of restitution of elastic bodies",
             "source": f"stoss {', '.join(sweep.versions) or _core.version}",
-            "tolerance": sweep.grid.tolerance,
-            "absolute": sweep.grid.absolute,
+            **sweep.grid.computation.accuracy,
             "missing_values": missing,
             "complete": "false" if missing else "true",
             "grid": json.dumps(sweep.grid.to_dict()),
@@ -84,11 +90,12 @@ def _describe(file: Any, sweep: Sweep) -> None:
 
 
 def _coordinates(file: Any, sweep: Sweep) -> None:
-    for name, size in zip(DIMENSIONS, sweep.grid.shape):
+    for name, size in zip(sweep.grid.dimensions, sweep.grid.shape):
         file.createDimension(name, size)
-    speed = file.createVariable("speed", "f8", ("speed",))
-    speed.setncatts({"long_name": "speed of approach", "units": "m/s" if sweep.grid.in_si else "c"})
-    speed[:] = sweep.grid.speed
+    for name, values in sweep.grid.axes.items():
+        along = file.createVariable(name, "f8", (name,))
+        along.setncatts({"long_name": SAID.get(name, name.replace("_", " ")), "units": sweep._unit(name) or "1"})
+        along[:] = values
     labels = sweep._labels()
     for name, said in (("body", "what meets"), ("against", "what it meets")):
         names = file.createVariable(name, str, (name,))
@@ -104,18 +111,18 @@ def _results(file: Any, sweep: Sweep) -> None:
     import netCDF4
 
     quantities = sweep._derived()
-    for own in QUANTITIES["restitution"]:
+    for own in sweep.grid.computation.columns:
         for name, said in ((own, own), (si_name(own), f"{own} in SI")):
             if name not in quantities:
                 continue
             values = quantities[name]
             code = {"f": "f8", "i": "i8", "b": "i1"}[values.dtype.kind]
             fill = None if code == "i1" else netCDF4.default_fillvals[code]
-            variable = file.createVariable(name, code, DIMENSIONS, fill_value=fill, zlib=True, shuffle=True)
+            variable = file.createVariable(name, code, sweep.grid.dimensions, fill_value=fill, zlib=True, shuffle=True)
             variable.long_name = said.replace("_", " ")
             variable.setncatts(_flags("false true") if code == "i1" else {"units": sweep._unit(name) or "1"})
             variable[:] = np.where(sweep.computed, values, 0 if fill is None else fill)
-    state = file.createVariable("computed", "i1", DIMENSIONS, zlib=True)
+    state = file.createVariable("computed", "i1", sweep.grid.dimensions, zlib=True)
     state.setncatts({"long_name": "whether the value is there"} | _flags("missing computed"))
     state[:] = sweep.computed
 

@@ -17,10 +17,11 @@ import numpy as np
 from stoss._arguments import refusal
 from stoss._commands import Parser, guarded
 from stoss.sweeps import _store
-from stoss.sweeps._grid import Case, Grid
-from stoss.sweeps._store import Worker
-from stoss.sweeps._sweep import compute, missing
-from stoss.sweeps._values import Sweep, merge, open_sweep
+from stoss.sweeps._grid import Grid
+from stoss.sweeps._rows import Layout
+from stoss.sweeps._tasks import Part, fill, missing, parts_of
+from stoss.sweeps._values import Sweep, merge, values_of
+from stoss.sweeps._worker import Worker, flush
 
 
 def main(words: Sequence[str]) -> int:
@@ -41,15 +42,15 @@ def _sweep(words: Sequence[str]) -> int:
         raise refusal("threads", given.threads, "0 to 1024")
     grid = Grid.from_toml(given.grid)
     path = _store.create(given.store, grid)
-    name = f"shard-{shard}-of-{shards}"
-    cases = sample(grid, shard, shards)
-    with Worker(path, name):  # before anything is computed: a second one of this shard ends here
-        jobs = list(missing(grid, path, cases, given.threads or len(os.sched_getaffinity(0))))
-    done = sum(compute(*job, name) for job in jobs)
-    own = np.zeros(grid.shape, dtype=bool)
-    for case in cases:
-        own[case.place] = True
-    values, doubtful = np.count_nonzero(own), np.count_nonzero(own & ~open_sweep(path).converged)
+    name, parts = f"shard-{shard}-of-{shards}", sample(grid, shard, shards)
+    threads = given.threads or len(os.sched_getaffinity(0))
+    with Worker(path, Layout(grid.computation), name) as worker:  # a second one of this shard ends here
+        done = fill(worker, grid.computation, path, missing(grid, path, parts), threads)
+    flush(path)
+    found, own = values_of(grid, path), np.zeros(grid.shape, dtype=bool)
+    for case, (begin, end) in parts:
+        own[case.place].reshape(-1)[begin:end] = True
+    values, doubtful = np.count_nonzero(own), np.count_nonzero(own & ~found.converged)
     print(f"stoss: shard {shard}/{shards}: {values} values, {done} computed now", file=sys.stderr)
     if doubtful:
         hint = "they are in the store with their errors, converged is false"
@@ -57,14 +58,21 @@ def _sweep(words: Sequence[str]) -> int:
     return 0
 
 
-def sample(grid: Grid, shard: int, shards: int) -> list[Case]:
-    """The cases of a shard, which has its share of each body and of each partner.
+def sample(grid: Grid, shard: int, shards: int) -> list[Part]:
+    """The parts of a shard, which has its share of each body and of each partner.
 
-    Cases are spread over [0, 1) by two irrational numbers, evenly along each row and each column of
+    Parts are spread over [0, 1) by three irrational numbers, evenly along each row and each column of
     bodies and partners, whatever their numbers. Shards are successive pieces of equal length.
     """
-    golden, other = (math.sqrt(5) - 1) / 2, math.sqrt(2) - 1
-    spread = sorted(grid.cases(), key=lambda case: (case.place[0] * golden + case.place[1] * other) % 1)
+    steps = (math.sqrt(5) - 1) / 2, math.sqrt(2) - 1, math.sqrt(3) - 1
+    every = parts_of(grid)
+    count = len(every) // len(grid.cases())
+
+    def at(number: int) -> float:
+        place = (*every[number].case.place, number % count)
+        return sum(index * step for index, step in zip(place, steps)) % 1
+
+    spread = [every[number] for number in sorted(range(len(every)), key=at)]
     begin, end = (-(-len(spread) * piece // shards) for piece in (shard - 1, shard))
     return spread[begin:end]
 
@@ -94,11 +102,17 @@ def _merge(words: Sequence[str]) -> int:
 def _tell_missing(result: Sweep) -> None:
     """The first missing values, and how many there are."""
     absent = np.argwhere(~result.computed)
-    for i, j, k in absent[:5].tolist():
-        partner = result.grid.against[j]["kind"]
-        speed = f"{result.grid.speed[k]:.6g} {'m/s' if result.grid.in_si else 'c'}"
-        print(f"stoss: missing: {result.grid.bodies[i]!r} against {partner}, speed {speed}", file=sys.stderr)
+    grid = result.grid
+    for i, j, *places in absent[:5].tolist():
+        at = zip(grid.axes.items(), places)
+        point = ", ".join(f"{name} {axis[k]:.6g}{_unit(result, name)}" for (name, axis), k in at)
+        print(f"stoss: missing: {grid.bodies[i]!r} against {grid.against[j]['kind']}, {point}", file=sys.stderr)
     if len(absent) > 5:
         print(f"stoss: missing: … and {len(absent) - 5} more", file=sys.stderr)
     text = f"stoss: warning: {len(absent)} of {result.computed.size} values are missing (fill values in the file)"
     print(text, file=sys.stderr)
+
+
+def _unit(result: Sweep, name: str) -> str:
+    unit = result._unit(name)
+    return f" {unit}" if unit else ""

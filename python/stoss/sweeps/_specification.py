@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import itertools
 import json
+import os
 from typing import Any, Iterator, List, Mapping, Sequence, Tuple
 
 import numpy as np
@@ -56,11 +57,28 @@ def make(name: str, given: Specification) -> Any:
 
 
 def _of_file(name: str, words: Specification) -> ModalBody:
-    """A body by its document, or as it is."""
+    """A body by its file, by its document, or as it is."""
+    if set(words) == {"file"} and isinstance(words["file"], (str, os.PathLike)):
+        return ModalBody.read(words["file"])
     if set(words) != {"body"}:
-        raise refusal(name, sorted(words), "kind and body, the document of its file")
+        raise refusal(name, sorted(words), "kind and file, the name of a body's file, or kind and body, its document")
     given = words["body"]
     return given if isinstance(given, ModalBody) else ModalBody.from_dict(given)
+
+
+def with_folder(given: Any, folder: str) -> Any:
+    """Bodies as a file in this folder names them: files of bodies are sought from there."""
+    if isinstance(given, list):
+        return [with_folder(each, folder) for each in given]
+    if not isinstance(given, Mapping) or "file" not in given:
+        return given
+    files = given["file"]
+    several = [os.path.join(folder, each) if isinstance(each, str) else each for each in _listed(files)]
+    return {**given, "file": several if isinstance(files, (list, tuple)) else several[0]}
+
+
+def _listed(given: Any) -> list[Any]:
+    return list(given) if isinstance(given, (list, tuple)) else [given]
 
 
 def _layer(name: str, given: Any) -> Layer:
@@ -125,7 +143,8 @@ def expanded(name: str, given: Any, left: Choices) -> Iterator[Specification]:
             one = dict(chosen)
             made = make(name, {"poisson": 0.0, **one} if name == "against" and _borrows(one) else one)
             # What a partner leaves out stays open until it is known whom it meets.
-            yield {**one, **_plain(made, one)} if name == "against" else describe(made)
+            complete = name != "against" or KINDS[made._kind].from_file
+            yield describe(made) if complete else {**one, **_plain(made, one)}
     else:
         walls = "'wall', 'same', " if name == "against" else ""
         raise refusal(name, given, f"{walls}a body, or a mapping with its kind")
@@ -141,14 +160,14 @@ def _borrows(words: Specification) -> bool:
 
 def _plain(made: Any, words: Specification) -> Specification:
     """What may be given as objects, in plain types."""
-    return {name: each for name, each in describe(made).items() if name in words and name in ("material", "layers", "body")}
+    return {name: each for name, each in describe(made).items() if name in words and name in ("material", "layers")}
 
 
 def _choices(name: str, key: str, value: Any) -> list[Any]:
     if key in ("layers", "body"):
         return [value]
-    if key in ("kind", "plane", "rigid", "material"):
-        return list(value) if isinstance(value, (list, tuple)) else [value]
+    if key in ("kind", "plane", "rigid", "material", "file"):
+        return _listed(value)
     if isinstance(value, str):
         return list(_core.series(name, value))
     if hasattr(value, "tolist"):  # of NumPy

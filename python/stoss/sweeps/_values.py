@@ -5,33 +5,39 @@ from __future__ import annotations
 import dataclasses
 import json
 import os
+import re
 from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss import _core
 from stoss._arguments import boolean
 from stoss._documentation import documented
+from stoss._errors import InvalidInput
 from stoss.bodies._solid import describe
-from stoss.results._curves import empty_rows
-from stoss.results._result import QUANTITIES, Column, Result
+from stoss.results._distribution import summary_of
+from stoss.results._result import QUANTITIES, Column, Result, unit
 from stoss.results._si import si_name
 from stoss.sweeps import _store
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._specification import label, numbers_of_bodies, unit_of_body
 
+DIMENSIONS = {"speed": "speed", "tangential": "speed", "spin": "frequency", "second_spin": "frequency"}
+"""Of axes; an angle is in degrees, the others are pure numbers."""
+
 
 @dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class Sweep(Result):
-    """The values of a sweep, in arrays over bodies, partners and speeds.
+    """The values of a sweep, in arrays over bodies, partners, speeds, and what else varies.
 
     Besides the attributes below it has all quantities of a `Restitution` by the same names, in
-    units of the first body: `restitution`, `restitution_error`, `lost_fraction`, `contact_time`, ….
+    units of the first body: `restitution`, `restitution_error`, `lost_fraction`, `contact_time`, …;
+    with friction those of an `ObliqueRestitution`, and of ensembles those of the samples of a
+    `RestitutionDistribution`.
     What is not computed yet is NaN, 0 or False there. Tables, as of `to_csv` and `to_dataframe`, have
     a row for each value, with the names of the body and of what it meets; data sets of xarray have
-    the dimensions body, against and speed, as the file of `to_netcdf`.
+    the dimensions body, against, speed and so on, as the file of `to_netcdf`.
 
     Attributes:
         grid (Grid): What was asked for.
@@ -40,8 +46,6 @@ class Sweep(Result):
     """
 
     _name: ClassVar[str] = "sweep"
-    _kind = "restitution"
-    _given = {"speed": "speed"}
 
     grid: Grid = dataclasses.field(repr=False)
     computed: NDArray[np.bool_]
@@ -49,7 +53,7 @@ class Sweep(Result):
     rows: NDArray[Any] = dataclasses.field(repr=False)
 
     def __getattr__(self, name: str) -> NDArray[Any]:
-        if name.startswith("_") or name not in (_core.restitution_row.names or ()):
+        if name.startswith("_") or name not in self.grid.computation.columns:
             raise AttributeError(f"'Sweep' object has no attribute {name!r}")
         return self.rows[name]
 
@@ -67,11 +71,26 @@ class Sweep(Result):
         """
         return {"grid": self.grid.to_dict()} | super().to_dict()
 
+    def summary(self) -> NDArray[Any]:
+        """Sum up the samples of each ensemble that are there.
+
+        Returns:
+            A structured array over bodies, partners, speeds and temperatures, with the fields mean,
+            mean_error, numerical_error, spread and above_one, as of a `RestitutionDistribution`.
+        """
+        if "sample" not in self.grid.axes:
+            raise InvalidInput("summary: got a sweep without samples, allowed one of ensembles (temperature)")
+        shape = self.grid.shape[:-1]
+        values, errors = self.rows["restitution"].reshape(-1, self.grid.shape[-1]), self.rows["restitution_error"]
+        each = [summary_of(*pair) for pair in zip(values, errors.reshape(values.shape))]
+        sums = np.array([tuple(one.values()) for one in each], dtype=[(name, np.float64) for name in each[0]])
+        return sums.reshape(shape)
+
     @documented
     def to_netcdf(self, path: str | os.PathLike[str]) -> None:
         """Write all values to a NetCDF-4 file with units and provenance, which xarray opens.
 
-        Dimensions are body, against and speed. What is missing has fill values. The file appears
+        Dimensions are body, against, speed, and what else varies. What is missing has fill values. The file appears
         whole or not at all. Needs the package netCDF4.
         """
         from stoss.export._netcdf import write
@@ -79,29 +98,40 @@ class Sweep(Result):
         write(self, os.fspath(path))
 
     def _inputs(self) -> dict[str, Any]:
-        accuracy = {"tolerance": self.grid.tolerance, "absolute": self.grid.absolute}
+        accuracy = self.grid.computation.accuracy
         return {**accuracy, "versions": ", ".join(self.versions), "grid": json.dumps(self.grid.to_dict())}
 
+    def _quantities(self) -> dict[str, str]:
+        """Dimensions of what was found."""
+        known = QUANTITIES[self.grid.computation.kind]
+        return {name: known[name] for name in self.grid.computation.columns}
+
     def _derived(self) -> dict[str, Any]:
-        quantities = {name: self.rows[name] for name in QUANTITIES["restitution"]}
+        quantities = {name: self.rows[name] for name in self._quantities()}
         if not self.grid.in_si:
             return quantities
-        for name, dimension in QUANTITIES["restitution"].items():
+        for name, dimension in self._quantities().items():
             if dimension:
                 scales = np.array([getattr(body.scales, dimension) for body in self.grid.bodies])
-                quantities[si_name(name)] = self.rows[name] * scales[:, np.newaxis, np.newaxis]
+                quantities[si_name(name)] = self.rows[name] * scales.reshape(-1, *[1] * (self.rows.ndim - 1))
         return quantities
 
     def _columns(self) -> dict[str, Column]:
+        dimensions = self.grid.dimensions
+
+        def along(values: Column, name: str) -> Column:
+            return values.reshape([-1 if each == name else 1 for each in dimensions])
+
         labels = self._labels()
-        of_bodies = {"body": labels["body"]} | self._of_bodies()
-        columns = {name: each[:, np.newaxis, np.newaxis] for name, each in of_bodies.items()}
-        columns |= {"against": labels["against"][:, np.newaxis], "speed": self.grid.speed}
+        columns = {"body": along(labels["body"], "body")}
+        columns |= {name: along(each, "body") for name, each in self._of_bodies().items()}
+        columns |= {"against": along(labels["against"], "against")}
+        columns |= {name: along(each, name) for name, each in self.grid.axes.items()}
         columns |= {**self._derived(), "computed": self.computed}
         return {name: np.broadcast_to(each, self.grid.shape) for name, each in columns.items()}
 
     def _arranged_columns(self) -> tuple[dict[str, Column], tuple[str, ...]]:
-        return self._columns() | self._of_bodies(), ("body", "against", "speed")
+        return self._columns() | self._of_bodies(), self.grid.dimensions
 
     def _labels(self) -> dict[str, Column]:
         """What the bodies are called, and what they meet."""
@@ -114,7 +144,12 @@ class Sweep(Result):
     def _unit(self, name: str) -> str:
         if name.startswith("body_"):
             return unit_of_body(name.removeprefix("body_"), self.grid.in_si)
-        return "m/s" if name == "speed" and self.grid.in_si else super()._unit(name)
+        if name == "angle":
+            return "deg"
+        own = re.sub(r"_si(?=$|_error$)", "", name)
+        dimension = {**self._quantities(), **DIMENSIONS}.get(own, "")
+        si = own != name or name in self.grid.axes and self.grid.in_si
+        return " or ".join(sorted({unit(dimension, body=each, si=si) for each in self._kinds_of_bodies()}))
 
     def _kinds_of_bodies(self) -> set[str]:
         return {body._kind for body in self.grid.bodies}
@@ -133,22 +168,17 @@ def open_sweep(store: str | os.PathLike[str], *, mix: bool = False) -> Sweep:
         True
     """
     path = Path(store)
-    grid = _store.read_grid(path)
-    cases = grid.cases()
-    found = _store.read(path, {case.key for case in cases}, boolean("mix", mix))
-    rows = empty_rows(grid.shape)
-    computed = np.zeros(grid.shape, dtype=bool)
-    versions = set()
-    for case in cases:
-        for k, speed in enumerate(grid.speed.tolist()):
-            stored = found.get((case.key, speed))
-            if stored is not None:
-                rows[(*case.place, k)] = stored.row
-                computed[(*case.place, k)] = True
-                versions.add(stored.version)
-    for array in (rows, computed):
+    return values_of(_store.read_grid(path), path, boolean("mix", mix))
+
+
+def values_of(grid: Grid, path: Path, mix: bool = False) -> Sweep:
+    """What the store of this grid has."""
+    found = _store.read(path, grid, mix)
+    computed = found.version >= 0
+    for array in (found.rows, computed):
         array.flags.writeable = False
-    return Sweep(grid, computed, tuple(sorted(versions)), rows)
+    versions = {found.versions[number] for number in np.unique(found.version[computed]).tolist()}
+    return Sweep(grid, computed, tuple(sorted(versions)), found.rows)
 
 
 @documented

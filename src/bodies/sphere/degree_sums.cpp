@@ -12,14 +12,14 @@
 #include "bodies/sphere/sum_quadrature.hpp"
 #include "bodies/sphere/surface_points.hpp"
 #include "numeric/special_functions.hpp"
+#include "numeric/symmetric_products.hpp"
 
 namespace stoss::bodies::sphere {
 namespace {
 
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Matrix = numeric::SymmetricProducts::Matrix;
 
 constexpr double sphere_mass = 4.0 * std::numbers::pi / 3.0;
-constexpr int block = 48;            // half of the rows of a product of matrices at a time, a multiple of 3
 constexpr int rule_nodes = 24;       // of the quadrature of a sum
 constexpr double rule_phase = 18.0;  // by which its terms may turn to either side of the middle
 constexpr long lowest_start = 64;    // of the quadrature: the expansion of P_ν needs a high degree
@@ -45,50 +45,30 @@ struct Pair {
   }
 };
 
-/// Σ (upper x xᵀ + mixed (x yᵀ + y xᵀ) + lower y yᵀ + middle z zᵀ) over rows x = P_{n+1}, y = P_{n−1} and z = P_n, some
-/// rows at a time.
+/// Σ (upper x xᵀ + mixed (x yᵀ + y xᵀ) + lower y yᵀ + middle z zᵀ) over rows x = P_{n+1}, y = P_{n−1} and z = P_n.
 class ShapeProducts {
  public:
-  ShapeProducts(Eigen::Index rings, const Poll& poll)
-      : poll_(poll), sum_(Matrix::Zero(rings, rings)), shape_(2 * block, rings), load_(2 * block, rings) {}
+  ShapeProducts(Eigen::Index rings, const Poll& poll) : products_(static_cast<std::size_t>(rings), poll) {}
 
   void add(const Pair& pair, const Eigen::ArrayXd& upper, const Eigen::ArrayXd& lower) {
-    shape_.row(rows_) = upper.matrix().transpose();
-    shape_.row(rows_ + 1) = lower.matrix().transpose();
-    load_.row(rows_) = (pair.upper * upper + pair.mixed * lower).matrix().transpose();
-    load_.row(rows_ + 1) = (pair.mixed * upper + pair.lower * lower).matrix().transpose();
-    rows_ += 2;
-    if (rows_ == shape_.rows()) flush();
+    products_.start();
+    products_.shape() = upper.matrix().transpose();
+    products_.load() = (pair.upper * upper + pair.mixed * lower).matrix().transpose();
+    products_.start();
+    products_.shape() = lower.matrix().transpose();
+    products_.load() = (pair.mixed * upper + pair.lower * lower).matrix().transpose();
   }
 
   void add(double middle, const Eigen::ArrayXd& row) {
-    shape_.row(rows_) = row.matrix().transpose();
-    load_.row(rows_) = (middle * row).matrix().transpose();
-    if (++rows_ == shape_.rows()) flush();
+    products_.start();
+    products_.shape() = row.matrix().transpose();
+    products_.load() = (middle * row).matrix().transpose();
   }
 
-  [[nodiscard]] const Matrix& sum() {
-    flush();
-    return sum_;
-  }
+  [[nodiscard]] Matrix sum() { return products_.sum(); }
 
  private:
-  void flush() {
-    // In blocks of columns of the lower triangle, between which there is time to look up.
-    constexpr Eigen::Index width = 64;
-    const Eigen::Index rings = sum_.rows();
-    for (Eigen::Index first = 0; first < rings; first += width) {
-      if (poll_) poll_();
-      const Eigen::Index columns = std::min(width, rings - first), rest = rings - first;
-      sum_.block(first, first, rest, columns).noalias() +=
-          shape_.topRows(rows_).rightCols(rest).transpose() * load_.topRows(rows_).middleCols(first, columns);
-    }
-    rows_ = 0;
-  }
-
-  const Poll& poll_;
-  Matrix sum_, shape_, load_;
-  Eigen::Index rows_ = 0;
+  numeric::SymmetricProducts products_;
 };
 
 Flexibility coefficient(const DegreeSum& sum, long n) {

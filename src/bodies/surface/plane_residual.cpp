@@ -8,11 +8,12 @@
 
 #include "bodies/surface/residual.hpp"
 #include "bodies/surface/wave_sums.hpp"
+#include "numeric/symmetric_products.hpp"
 
 namespace stoss::bodies {
 namespace {
 
-using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Block = numeric::SymmetricProducts::Matrix;
 using Eigen::Index;
 
 /// Σ over wave numbers of R_11 c cᵀ, R_12 c sᵀ and R_22 s sᵀ with c = (cos ky | 0), s = (0 | sin ky), or J₀ and J₁ of
@@ -22,14 +23,12 @@ class PlaneProducts {
   PlaneProducts(const MediumSurface& medium, Parity parity, const ContactPoints& points, const Poll& poll)
       : medium_(medium),
         parity_(parity),
-        poll_(poll),
         points_(static_cast<Index>(points.count)),
         distance_(points.count),
-        sum_(Block::Zero(2 * points_, 2 * points_)),
-        shape_(2 * block, 2 * points_),
-        load_(2 * block, 2 * points_) {
+        along_(Eigen::RowVectorXd::Zero(2 * points_)),
+        across_(Eigen::RowVectorXd::Zero(2 * points_)),
+        products_(2 * points.count, poll) {
     for (std::size_t i = 0; i < points.count; ++i) distance_[i] = lateral_distance(points, i);
-    shape_.setZero();
   }
 
   void add(double wave_number, const Flexibility& response) {
@@ -37,15 +36,17 @@ class PlaneProducts {
     const double first = even ? response.radial : response.tangential;
     const double second = even ? response.tangential : response.radial;
     const double mixed = even ? response.mixed : -response.mixed;
-    const Index c = 2 * rows_, s = c + 1;
     for (Index i = 0; i < points_; ++i) {
       const double phase = wave_number * distance_[static_cast<std::size_t>(i)];
-      shape_(c, i) = medium_.shape(phase);
-      shape_(s, points_ + i) = medium_.slope(phase);
+      along_(i) = medium_.shape(phase);
+      across_(points_ + i) = medium_.slope(phase);
     }
-    load_.row(c) = first * shape_.row(c) + mixed * shape_.row(s);
-    load_.row(s) = mixed * shape_.row(c) + second * shape_.row(s);
-    if (++rows_ == block) flush();
+    products_.start();
+    products_.shape() = along_;
+    products_.load() = first * along_ + mixed * across_;
+    products_.start();
+    products_.shape() = across_;
+    products_.load() = mixed * along_ + second * across_;
   }
 
   /// Adds ∫ response(k) dk, which is smooth over factors of 2.
@@ -58,27 +59,15 @@ class PlaneProducts {
     });
   }
 
-  [[nodiscard]] Block& sum() {
-    flush();
-    return sum_;
-  }
+  [[nodiscard]] Block sum() { return products_.sum(); }
 
  private:
-  static constexpr Index block = 32;
-
-  void flush() {
-    if (poll_) poll_();
-    sum_.noalias() += shape_.topRows(2 * rows_).transpose() * load_.topRows(2 * rows_);
-    rows_ = 0;
-  }
-
   const MediumSurface& medium_;
   Parity parity_;
-  const Poll& poll_;
   Index points_;
   std::vector<double> distance_;
-  Block sum_, shape_, load_;
-  Index rows_ = 0;
+  Eigen::RowVectorXd along_, across_;  // c and s
+  numeric::SymmetricProducts products_;
 };
 
 std::vector<double> values_of(const Block& matrix) { return {matrix.data(), matrix.data() + matrix.size()}; }
@@ -107,7 +96,7 @@ std::vector<double> PlaneResidual::compliance(Parity parity, const ContactPoints
   PlaneProducts products(surface_.medium, parity, points, poll);
   for (const PlaneWaves& waves : *waves_) products.add(waves.wave_number, waves.residual_compliance);
   products.add_range(surface_.highest_kept, highest, surface_.compliance);
-  Block& sum = products.sum();
+  Block sum = products.sum();
   resolve_pairs_in_plane(surface_.medium, points, highest, sum);
   return values_of(sum);
 }

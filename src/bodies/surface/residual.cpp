@@ -9,32 +9,29 @@
 #include <utility>
 
 #include "bodies/surface/wave_sums.hpp"
+#include "numeric/symmetric_products.hpp"
 
 namespace stoss::bodies {
 namespace {
 
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Matrix = numeric::SymmetricProducts::Matrix;
 using Eigen::Index;
 
-/// Σ weight · s sᵀ over rows s of shapes, some rows at a time.
+/// Σ weight · s sᵀ over rows s of shapes.
 class ShapeProducts {
  public:
   ShapeProducts(const MediumSurface& medium, const ContactPoints& points, const Poll& poll)
-      : medium_(medium),
-        poll_(poll),
-        distance_(points.count),
-        sum_(Matrix::Zero(count(points), count(points))),
-        shape_(block, count(points)),
-        load_(block, count(points)) {
+      : medium_(medium), distance_(points.count), products_(points.count, poll) {
     for (std::size_t i = 0; i < points.count; ++i) distance_[i] = lateral_distance(points, i);
   }
 
   void add(double wave_number, double weight) {
+    products_.start();
+    auto shape = products_.shape();
     for (std::size_t i = 0; i < distance_.size(); ++i) {
-      shape_(rows_, static_cast<Index>(i)) = medium_.shape(wave_number * distance_[i]);
+      shape(static_cast<Index>(i)) = medium_.shape(wave_number * distance_[i]);
     }
-    load_.row(rows_) = weight * shape_.row(rows_);
-    if (++rows_ == block) flush();
+    products_.load() = weight * shape;
   }
 
   /// Adds ∫ weight(k) s sᵀ dk, for a weight that is smooth over factors of 2.
@@ -44,26 +41,12 @@ class ShapeProducts {
                      [&](double k, double length, double share) { add(k, weight(k) * 0.5 * length * share); });
   }
 
-  [[nodiscard]] Matrix& sum() {
-    flush();
-    return sum_;
-  }
+  [[nodiscard]] Matrix sum() { return products_.sum(); }
 
  private:
-  static constexpr Index block = 64;
-  static Index count(const ContactPoints& points) { return static_cast<Index>(points.count); }
-
-  void flush() {
-    if (poll_) poll_();
-    sum_.noalias() += shape_.topRows(rows_).transpose() * load_.topRows(rows_);
-    rows_ = 0;
-  }
-
   const MediumSurface& medium_;
-  const Poll& poll_;
   std::vector<double> distance_;
-  Matrix sum_, shape_, load_;
-  Index rows_ = 0;
+  numeric::SymmetricProducts products_;
 };
 
 std::vector<double> values(const Matrix& matrix) { return {matrix.data(), matrix.data() + matrix.size()}; }
@@ -99,7 +82,7 @@ std::vector<double> WaveResidual::compliance(const ContactPoints& points, const 
   ShapeProducts products(medium_, points, poll);
   for (const SurfaceWaves& waves : *waves_) products.add(waves.wave_number, waves.residual_compliance);
   products.add_range(highest_kept_, highest, medium_.compliance);
-  Matrix& sum = products.sum();
+  Matrix sum = products.sum();
   resolve_each_pair(medium_, points, highest, sum);
   return values(sum);
 }

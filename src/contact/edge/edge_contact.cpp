@@ -9,7 +9,15 @@
 namespace stoss {
 
 EdgeContact::EdgeContact(std::vector<double> matrix, EdgeLaw law, std::size_t size, const Poll& poll)
-    : compliance_(std::move(matrix), size, poll), law_(std::move(law)), poll_(poll), inner_(size), closure_(size) {}
+    : EdgeContact(std::make_shared<const FactoredCompliance>(std::move(matrix), size, poll), std::move(law), poll) {}
+
+EdgeContact::EdgeContact(std::shared_ptr<const FactoredCompliance> compliance, EdgeLaw law, const Poll& poll)
+    : factored_(std::move(compliance)),
+      compliance_(*factored_),
+      law_(std::move(law)),
+      poll_(poll),
+      inner_(compliance_.size()),
+      closure_(compliance_.size()) {}
 
 double EdgeContact::half_width() const {
   // By as much the closures of a zone exceed, on average over its place, what lies within the edge.
@@ -44,26 +52,33 @@ void EdgeContact::follow(double before, double now, double step) {
   law_.recede(now < before ? 0.5 * std::max(half_width(), 0.5) * (before - now) / (left * step) : 0.0);
 }
 
-void EdgeContact::solve(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement) {
-  double scale = 0.0;
+bool EdgeContact::is_clear(const std::vector<double>& q) const {
+  double unbounded = 0.0;
   bool near = false;
   for (std::size_t i = 0; i < q.size(); ++i) {
-    if (!std::isfinite(q[i])) {
-      throw NotConverged("contact: the position of a node is not a finite number (use a smaller step)");
-    }
-    const double gap = law_.gap.empty() ? 0.0 : law_.opening * law_.gap[i];
-    near = near || q[i] > -gap;
-    if (q[i] > -gap) scale = std::max({scale, q[i], gap});
+    unbounded += 0.0 * q[i];
+    near |= q[i] > (law_.gap.empty() ? 0.0 : -law_.opening * law_.gap[i]);
   }
-  if (!near) {
+  if (unbounded != 0.0) {
+    throw NotConverged("contact: the position of a node is not a finite number (use a smaller step)");
+  }
+  return !near;
+}
+
+void EdgeContact::solve(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement) {
+  if (is_clear(q)) {
     std::fill(force.begin(), force.end(), 0.0);
     std::fill(displacement.begin(), displacement.end(), 0.0);
     extent_ = rigid_ = 0;
     return;
   }
-  if (law_.gap.empty()) {
-    solve_point(q, force, displacement);
-  } else if (constexpr double rounding = 1e-13; !solve_edge(q, rounding * scale, force, displacement)) {
+  if (law_.gap.empty()) return solve_point(q, force, displacement);
+  double scale = 0.0;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const double gap = law_.opening * law_.gap[i];
+    scale = std::max(scale, q[i] > -gap ? std::max(q[i], gap) : 0.0);
+  }
+  if (constexpr double rounding = 1e-13; !solve_edge(q, rounding * scale, force, displacement)) {
     solve_generally(q, scale, force, displacement);
   }
 }
@@ -77,6 +92,17 @@ void EdgeContact::solve_point(const std::vector<double>& q, std::vector<double>&
 }
 
 void EdgeContact::find_zone(std::size_t rigid) {
+  // In most steps the edge stays between the same nodes, and moves on as before.
+  const bool same = in_zone_ && zone_.first == rigid;
+  for (std::size_t a = 0; a < zone_.closure.size(); ++a) {
+    const double now = zone_.closure[a];
+    if (same) zone_.closure[a] += std::clamp(now - closure_before_[a], -0.25, 0.25);
+    closure_before_[a] = now;
+  }
+  if (!same) {
+    zone_.closure.fill(0.5);
+    closure_before_.fill(0.5);
+  }
   zone_.first = rigid;
   zone_.count = std::min<std::size_t>(3, compliance_.size() - rigid);
   for (std::size_t a = 0; a < zone_.count; ++a) {
@@ -103,7 +129,13 @@ bool EdgeContact::solve_edge(const std::vector<double>& q, double tolerance, std
     const std::size_t count = std::min(rigid + 3, size);
     compliance_.forward(count, q, inner_);
     find_zone(rigid);
-    if (!solve_zone(law_, zone_)) return false;
+    const bool known = in_zone_;
+    in_zone_ = solve_zone(law_, zone_);
+    if (!in_zone_ && known) {
+      zone_.closure.fill(0.5);
+      in_zone_ = solve_zone(law_, zone_);
+    }
+    if (!in_zone_) return false;
     // On nodes without force behind the zone Lᵀ f vanishes, and on the zone it is L_zzᵀ f_z.
     for (std::size_t a = 0; a < zone_.count; ++a) {
       double sum = 0.0;

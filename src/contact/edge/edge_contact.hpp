@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "contact/edge/edge_law.hpp"
@@ -19,10 +21,15 @@ class EdgeContact {
  public:
   /// @throws NotConverged if the matrix W is not positive definite
   EdgeContact(std::vector<double> matrix, EdgeLaw law, std::size_t size, const Poll& poll);
+  EdgeContact(std::shared_ptr<const FactoredCompliance> compliance, EdgeLaw law, const Poll& poll);
 
   /// Solves for f and the displacement W f; both have `size` elements.
   /// @throws NotConverged if q is not finite, or no forces obey the law to rounding
   void solve(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement);
+
+  /// Whether no node feels a force at these positions, with nothing else that moves it.
+  /// @throws NotConverged if q is not finite
+  [[nodiscard]] bool is_clear(const std::vector<double>& q) const;
 
   /// Tells the law of a lossy contact how the foremost node has moved in a step, before it is solved.
   void follow(double before, double now, double step);
@@ -54,12 +61,15 @@ class EdgeContact {
   void solve_point(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement);
   void find_zone(std::size_t rigid);
 
-  FactoredCompliance compliance_;
+  std::shared_ptr<const FactoredCompliance> factored_;
+  const FactoredCompliance& compliance_;
   EdgeLaw law_;
   Poll poll_;
   std::vector<double> inner_;    // L⁻¹ q; then Lᵀ f
   std::vector<double> closure_;  // t of each node
   EdgeZone zone_;
+  bool in_zone_ = false;  // the last solution of the zone is one
+  std::array<double, 3> closure_before_{};
   std::size_t rigid_ = 0;
   std::size_t extent_ = 0;
 };

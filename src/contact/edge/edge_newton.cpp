@@ -15,26 +15,22 @@ using Eigen::VectorXd;
 
 constexpr double rounding = 1e-14;
 
-/// Solves the small system a x = b in place, with pivots. @return whether it is regular
-bool eliminate(std::array<std::array<double, 3>, 3>& a, std::array<double, 3>& b, std::size_t n) {
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < n; ++i) {
-      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
-    }
-    if (!(std::abs(a[pivot][k]) > 0.0)) return false;
-    std::swap(a[k], a[pivot]);
-    std::swap(b[k], b[pivot]);
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const double factor = a[i][k] / a[k][k];
-      for (std::size_t j = k; j < n; ++j) a[i][j] -= factor * a[k][j];
-      b[i] -= factor * b[k];
-    }
-  }
-  for (std::size_t k = n; k-- > 0;) {
-    for (std::size_t j = k + 1; j < n; ++j) b[k] -= a[k][j] * b[j];
-    b[k] /= a[k][k];
-  }
+using Vector = std::array<double, 3>;
+
+/// Solves a x = b by Cramer's rule. @return whether the determinant is positive
+bool solve_three(const std::array<Vector, 3>& a, const Vector& b, Vector& x) {
+  const double c00 = a[1][1] * a[2][2] - a[1][2] * a[2][1];
+  const double c10 = a[1][2] * a[2][0] - a[1][0] * a[2][2];
+  const double c20 = a[1][0] * a[2][1] - a[1][1] * a[2][0];
+  const double determinant = a[0][0] * c00 + a[0][1] * c10 + a[0][2] * c20;
+  if (!(determinant > 0.0)) return false;
+  const double share = 1.0 / determinant;
+  x[0] = share *
+         (c00 * b[0] + (a[0][2] * a[2][1] - a[0][1] * a[2][2]) * b[1] + (a[0][1] * a[1][2] - a[0][2] * a[1][1]) * b[2]);
+  x[1] = share *
+         (c10 * b[0] + (a[0][0] * a[2][2] - a[0][2] * a[2][0]) * b[1] + (a[0][2] * a[1][0] - a[0][0] * a[1][2]) * b[2]);
+  x[2] = share *
+         (c20 * b[0] + (a[0][1] * a[2][0] - a[0][0] * a[2][1]) * b[1] + (a[0][0] * a[1][1] - a[0][1] * a[1][0]) * b[2]);
   return true;
 }
 
@@ -177,30 +173,31 @@ bool find_closures(Compliance& compliance, const EdgeLaw& law, const std::vector
 
 bool solve_zone(const EdgeLaw& law, EdgeZone& zone) {
   constexpr int most = 40;
-  zone.closure.fill(0.5);
+  Vector& t = zone.closure;
   for (int iteration = 0; iteration < most; ++iteration) {
-    std::array<std::array<double, 3>, 3> jacobian{};
-    std::array<double, 3> rest{}, force{}, slope{};
+    // Positive: W is positive definite, and of each node a force or a gap rises. Nodes beyond the last stay.
+    std::array<Vector, 3> jacobian{Vector{1.0, 0.0, 0.0}, Vector{0.0, 1.0, 0.0}, Vector{0.0, 0.0, 1.0}};
+    Vector rest{}, force{}, slope{}, change{};
     for (std::size_t b = 0; b < zone.count; ++b) {
-      force[b] = law.force_at(zone.first + b, zone.closure[b]);
-      slope[b] = law.force_slope(zone.first + b, zone.closure[b]);
+      force[b] = law.force_at(zone.first + b, t[b]);
+      slope[b] = law.force_slope(zone.first + b, t[b]);
     }
     for (std::size_t a = 0; a < zone.count; ++a) {
-      rest[a] = zone.position[a] + law.gap_at(zone.first + a, zone.closure[a]);
+      rest[a] = zone.position[a] + law.gap_at(zone.first + a, t[a]);
       for (std::size_t b = 0; b < zone.count; ++b) {
         rest[a] -= zone.compliance[a][b] * force[b];
         jacobian[a][b] = zone.compliance[a][b] * slope[b];
       }
-      jacobian[a][a] += law.gap_slope(zone.first + a, zone.closure[a]);
+      jacobian[a][a] += law.gap_slope(zone.first + a, t[a]);
     }
-    if (!eliminate(jacobian, rest, zone.count)) return false;
+    if (!solve_three(jacobian, rest, change)) return false;
     double largest = 0.0;
     for (std::size_t a = 0; a < zone.count; ++a) {
-      const double longest = 0.5 * (1.0 + std::abs(zone.closure[a]));  // t grows by half of itself at most
-      zone.closure[a] += std::clamp(rest[a], -longest, longest);
-      largest = std::max(largest, std::abs(rest[a]) / (1.0 + std::abs(zone.closure[a])));
+      const double longest = 0.5 * (1.0 + std::abs(t[a]));  // t grows by half of itself at most
+      t[a] += std::clamp(change[a], -longest, longest);
+      largest = std::max(largest, std::abs(change[a]) / (1.0 + std::abs(t[a])));
     }
-    if (largest < 1e-9) return true;  // converges quadratically: what is left is rounding
+    if (largest < 1e-8) return true;  // converges quadratically: what is left is rounding
   }
   return false;
 }

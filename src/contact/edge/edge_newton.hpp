@@ -15,10 +15,10 @@ struct EdgeZone {
   std::size_t count = 0;
   std::array<std::array<double, 3>, 3> compliance{};  // S
   std::array<double, 3> position{};                   // p
-  std::array<double, 3> closure{};                    // t, of the solution
+  std::array<double, 3> closure{};                    // t, of the start; then of the solution
 };
 
-/// Solves for the closures of the zone by Newton's method in them. @return whether it converged
+/// Solves for the closures of the zone by Newton's method from those that it has. @return whether it converged
 [[nodiscard]] bool solve_zone(const EdgeLaw& law, EdgeZone& zone);
 
 /// Solves W f − q = g with the law of each node for the closures of all of them, from any start: Newton's method with

@@ -9,6 +9,7 @@
 #include "contact/residual/kick_compliance.hpp"
 #include "numeric/dense.hpp"
 #include "numeric/kernels.hpp"
+#include "numeric/multiversion.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
@@ -113,7 +114,13 @@ ResidualMotion::Matrices ResidualMotion::discretize(const ResidualPart& part, co
     auto columns = memory.middleCols(first, count);
     lower.triangularView<Eigen::Lower>().transpose().solveInPlace(columns);
   });
-  return {values_of_symmetric(compliance, poll), values(participation), values(mobility), values(memory),
+  std::vector<double> reaction;
+  if (longest_loss_time(contact) > 0.0) reaction.assign(participation.data(), participation.data() + n * masses);
+  return {values_of_symmetric(compliance, poll),
+          values(participation),
+          values(mobility),
+          values(memory),
+          std::move(reaction),
           static_cast<std::size_t>(masses)};
 }
 
@@ -133,39 +140,44 @@ ResidualMotion::ResidualMotion(const ResidualPart& part, const Contact& contact,
       fading_(1.0 / (1.0 + link_stiffness * part.cutoff * step)),
       viscous_(part.loss_time / step),
       share_(share_of(viscous_)),
-      matrices_(inertia == Inertia::all ? discretize(part, contact, grid, step, poll) : massless(part, step)),
+      matrices_(std::make_shared<const Matrices>(inertia == Inertia::all ? discretize(part, contact, grid, step, poll)
+                                                                         : massless(part, step))),
       free_(nodes_),
-      mass_displacement_(matrices_.masses),
-      mass_velocity_(matrices_.masses),
-      mass_acceleration_(matrices_.masses),
-      stretch_(matrices_.masses),
-      rest_(matrices_.masses),
-      drive_(matrices_.masses),
-      moved_(matrices_.masses),
+      mass_displacement_(matrices_->masses),
+      mass_velocity_(matrices_->masses),
+      mass_acceleration_(matrices_->masses),
+      stretch_(matrices_->masses),
+      rest_(matrices_->masses),
+      drive_(matrices_->masses),
+      moved_(matrices_->masses),
       lossy_(longest_loss_time(contact) > 0.0) {
   if (!lossy_) return;
-  for (std::size_t k = 0; k < matrices_.masses; ++k) {
-    for (std::size_t i = 0; i < nodes_; ++i) {
-      reaction_of_.push_back(matrices_.participation[i * matrices_.masses + k]);
-    }
-  }
-  moved_before_.resize(matrices_.masses);
+  moved_before_.resize(matrices_->masses);
   for (auto* each : {&displacement_, &before_, &spring_force_, &spring_before_, &viscous_force_, &reaction_})
     each->resize(nodes_);
 }
 
-const std::vector<double>& ResidualMotion::predict() {
-  const std::size_t masses = matrices_.masses;
-  const double half = 0.5 * step_, remembered = viscous_ * share_;
+STOSS_MULTIVERSION
+void ResidualMotion::drift() {
+  const std::size_t masses = matrices_->masses;
+  const double half = 0.5 * step_;
   for (std::size_t k = 0; k < masses; ++k) {
     // From here ξ, ξ̇ are what they would become without the new acceleration.
     mass_displacement_[k] += step_ * mass_velocity_[k] + half * half * mass_acceleration_[k];
     mass_velocity_[k] += half * mass_acceleration_[k];
     rest_[k] = mass_displacement_[k] + fading_ * stretch_[k];
     drive_[k] = rest_[k];
-    if (lossy_) drive_[k] -= remembered * (2.0 * moved_[k] - 0.5 * moved_before_[k]);
   }
-  kernels::multiply_transposed(matrices_.memory.data(), nodes_, masses, 0, nodes_, drive_.data(), free_.data());
+}
+
+const std::vector<double>& ResidualMotion::predict() {
+  const std::size_t masses = matrices_->masses;
+  const double remembered = viscous_ * share_;
+  drift();
+  for (std::size_t k = 0; lossy_ && k < masses; ++k) {
+    drive_[k] -= remembered * (2.0 * moved_[k] - 0.5 * moved_before_[k]);
+  }
+  kernels::multiply_transposed(matrices_->memory.data(), nodes_, masses, 0, nodes_, drive_.data(), free_.data());
   if (lossy_) {
     for (std::size_t i = 0; i < nodes_; ++i) free_[i] += remembered * (2.0 * displacement_[i] - 0.5 * before_[i]);
   }
@@ -173,25 +185,30 @@ const std::vector<double>& ResidualMotion::predict() {
 }
 
 void ResidualMotion::move(const std::vector<double>& displacement, const std::vector<double>& force) {
-  const std::size_t masses = matrices_.masses;
-  const double half = 0.5 * step_;
+  const std::size_t masses = matrices_->masses;
   if (lossy_) moved_before_ = moved_;
-  kernels::multiply_transposed(matrices_.participation.data(), masses, nodes_, 0, masses, displacement.data(),
+  kernels::multiply_transposed(matrices_->participation.data(), masses, nodes_, 0, masses, displacement.data(),
                                moved_.data());
   for (std::size_t k = 0; k < masses; ++k) rest_[k] = moved_[k] - rest_[k];
-  kernels::multiply_transposed(matrices_.mobility.data(), masses, masses, 0, masses, rest_.data(),
+  kernels::multiply_transposed(matrices_->mobility.data(), masses, masses, 0, masses, rest_.data(),
                                mass_acceleration_.data());
-  for (std::size_t k = 0; k < masses; ++k) {
+  accelerate();
+  if (lossy_) lose(displacement, force);
+}
+
+STOSS_MULTIVERSION
+void ResidualMotion::accelerate() {
+  const double half = 0.5 * step_;
+  for (std::size_t k = 0; k < matrices_->masses; ++k) {
     mass_displacement_[k] += half * half * mass_acceleration_[k];
     mass_velocity_[k] += half * mass_acceleration_[k];
     stretch_[k] = moved_[k] - mass_displacement_[k];
   }
-  if (lossy_) lose(displacement, force);
 }
 
 void ResidualMotion::lose(const std::vector<double>& displacement, const std::vector<double>& force) {
-  kernels::multiply_transposed(reaction_of_.data(), nodes_, matrices_.masses, 0, nodes_, mass_acceleration_.data(),
-                               reaction_.data());
+  kernels::multiply_transposed(matrices_->reaction.data(), nodes_, matrices_->masses, 0, nodes_,
+                               mass_acceleration_.data(), reaction_.data());
   for (std::size_t i = 0; i < nodes_; ++i) {
     const double springs = force[i] - reaction_[i];
     const double now = share_ * (springs + viscous_ * (2.0 * spring_force_[i] - 0.5 * spring_before_[i]));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "contact/residual/residual_part.hpp"
@@ -36,7 +37,7 @@ class ResidualMotion {
                  double step, const Poll& poll);
 
   /// W′, nodes × nodes.
-  [[nodiscard]] const std::vector<double>& compliance() const { return matrices_.compliance; }
+  [[nodiscard]] const std::vector<double>& compliance() const { return matrices_->compliance; }
 
   /// Begins a step: h, the displacement without force.
   const std::vector<double>& predict();
@@ -56,20 +57,23 @@ class ResidualMotion {
     std::vector<double> participation;  // R, nodes × masses
     std::vector<double> mobility;       // S⁻¹, masses × masses
     std::vector<double> memory;         // θ T Yᵀ, masses × nodes
+    std::vector<double> reaction;       // Rᵀ, masses × nodes; of a lossy material
     std::size_t masses = 0;
   };
   static Matrices discretize(const ResidualPart& part, const Contact& contact, const ContactGrid& grid, double step,
                              const Poll& poll);
   static Matrices massless(const ResidualPart& part, double step);
+  void drift();       // of the masses, and what drives them without force
+  void accelerate();  // them
   void lose(const std::vector<double>& displacement, const std::vector<double>& force);
 
   std::size_t nodes_;
   double step_;
-  double fading_;   // 1/(1 + γ ω_c Δt)
-  double viscous_;  // c
-  double share_;    // θ
-  Matrices matrices_;
-  std::vector<double> free_;  // h
+  double fading_;                             // 1/(1 + γ ω_c Δt)
+  double viscous_;                            // c
+  double share_;                              // θ
+  std::shared_ptr<const Matrices> matrices_;  // shared by copies
+  std::vector<double> free_;                  // h
   // Of the masses.
   std::vector<double> mass_displacement_, mass_velocity_, mass_acceleration_;  // ξ, ξ̇, ξ̈
   std::vector<double> stretch_;                                                // Rᵀz
@@ -78,7 +82,6 @@ class ResidualMotion {
   std::vector<double> moved_;                                                  // Rᵀu
   // Of a lossy material.
   bool lossy_;
-  std::vector<double> reaction_of_;                   // Rᵀ, masses × nodes
   std::vector<double> moved_before_;                  // Rᵀu of the step before
   std::vector<double> displacement_, before_;         // u of the last two steps
   std::vector<double> spring_force_, spring_before_;  // K u of the last two steps

@@ -171,8 +171,8 @@ TEST_F(ObliqueDisk, LoseToTheirMaterialInBothDirections) {
   const auto outcome = [](double loss_time) {
     Disk lossy{0.33};
     lossy.loss_time = loss_time;
-    const Contact wall = contact(disk(lossy, 16.0));
-    return oblique_impact(wall, 0.1, {0.1, 0.0, 0.0, 0.3}, resolved(wall, 24));
+    const Contact met = contact(disk(lossy, 16.0));
+    return oblique_impact(met, 0.1, {0.1, 0.0, 0.0, 0.3}, resolved(met, 24));
   };
   const ObliqueImpact elastic = outcome(0.0), nearly = outcome(1e-6), lossy = outcome(0.05);
   EXPECT_EQ(elastic.energy.dissipated, 0.0);

@@ -89,10 +89,10 @@ def test_every_shard_has_its_share_of_each_body_and_partner():
     keys = {case.key for case in cases.cases()}
     for shards in (1, 2, 3, 4, 7, 8, 100):
         parts = [sample(cases, shard, shards) for shard in range(1, shards + 1)]
-        assert {case.key for part in parts for case in part} == keys and sum(map(len, parts)) == len(keys)
+        assert {each.case.key for part in parts for each in part} == keys and sum(map(len, parts)) == len(keys)
         assert max(map(len, parts)) - min(map(len, parts)) <= 1
         for part in parts:
-            partners = np.bincount([case.place[1] for case in part], minlength=4)
+            partners = np.bincount([each.case.place[1] for each in part], minlength=4)
             assert shards > 8 or partners.max() - partners.min() <= 2
             assert shards > 8 or partners.min() > 0
 
@@ -108,7 +108,7 @@ def test_two_shards_of_the_documented_grid_have_the_same_number_of_each_partner(
     assert documented.shape == (4, 2, 20)
     for shards in (2, 4):
         for shard in range(1, shards + 1):
-            places = np.array([case.place for case in sample(documented, shard, shards)])
+            places = np.array([each.case.place for each in sample(documented, shard, shards)])
             assert np.bincount(places[:, 1]).tolist() == [4 // shards] * 2
             assert shards > 2 or sorted(places[:, 0]) == [0, 1, 2, 3]
 

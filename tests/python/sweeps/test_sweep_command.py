@@ -12,6 +12,8 @@ import numpy as np
 import pytest
 
 import stoss
+from stoss.sweeps._rows import Layout
+from stoss.sweeps._worker import Worker
 from sweep_command import SMALL, command  # noqa: F401
 
 TOML = """
@@ -50,9 +52,9 @@ def test_a_store_of_other_shards_is_continued(command):
     whole = stoss.sweep(command.folder / "grid.toml", store=command.folder / "whole")
     store = stoss.sweeps._store.create(command.folder / "store", whole.grid)
     (first, _), rows = whole.grid.cases(), whole.rows[0, 0]
-    with stoss.sweeps._store.Worker(store, "shard-2-of-2") as worker:
+    with Worker(store, Layout(whole.grid.computation), "shard-2-of-2") as worker:
         for speed, row in zip(whole.grid.speed.tolist(), rows):
-            worker.append(first.key, first.inputs, speed, row.item())
+            worker.append(first.key, first.inputs, (speed,), row.item())
     for shard in ("1/2", "2/2"):
         assert command.run("sweep", "grid.toml", "--store", "store", "--shard", shard)[0] == 0
     assert stoss.open_sweep(store).rows.tobytes() == whole.rows.tobytes()
@@ -102,8 +104,9 @@ def test_exit_codes(command, words, code, message):
 
 
 def test_a_second_one_of_the_same_shard_is_refused(command):
-    path = stoss.sweeps._store.create(command.folder / "store", stoss.Grid.from_toml(command.folder / "grid.toml"))
-    with stoss.sweeps._store.Worker(path, "shard-1-of-2"):
+    grid = stoss.Grid.from_toml(command.folder / "grid.toml")
+    path = stoss.sweeps._store.create(command.folder / "store", grid)
+    with Worker(path, Layout(grid.computation), "shard-1-of-2"):
         code, error = command.run("sweep", "grid.toml", "--store", "store", "--shard", "1/2")
         assert code == 4 and "another process is writing it" in error
         assert command.run("sweep", "grid.toml", "--store", "store", "--shard", "2/2")[0] == 0

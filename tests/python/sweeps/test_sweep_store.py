@@ -8,8 +8,15 @@ import numpy as np
 import pytest
 
 import stoss
+from stoss.sweeps._rows import Layout
+from stoss.sweeps._worker import Worker
 
 GRID = {"bodies": {"kind": "sphere", "poisson": [0.1, 0.3]}, "speed": [0.01, 0.1], "tolerance": 1e-2}
+
+
+def opened(store, name=None):
+    """The file of a worker of such a sweep."""
+    return Worker(store, Layout(stoss.Grid(**GRID).computation), name)
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +43,7 @@ def test_torn_last_line_is_computed_again(made, store):
         file.write_bytes(content[:length])
         assert np.count_nonzero(~stoss.open_sweep(store).computed) == 1
         for name in (None, "a"):  # by another worker, and by the one that was killed
-            with stoss.sweeps._store.Worker(store, name):
+            with opened(store, name):
                 pass
         again = stoss.sweep(GRID, store=store)
         assert again.rows.tobytes() == made[0].rows.tobytes()
@@ -49,7 +56,7 @@ def test_any_length_of_a_file_can_be_continued(store):
     content = (store / "a.csv").read_bytes()
     for length in [*range(0, 500, 7), *range(500, len(content), 101)]:
         (store / "a.csv").write_bytes(content[:length])
-        with stoss.sweeps._store.Worker(store, "a"):
+        with opened(store, "a"):
             pass
         result = stoss.open_sweep(store)
         rows = [line for line in content[:length].split(b"\n")[:-1] if line[:1] != b"#"][1:]
@@ -93,7 +100,7 @@ def test_other_version(made, store):
         with pytest.raises(stoss.InvalidInput, match="of stoss 0.0.9, allowed"):
             call()
     with pytest.raises(stoss.InvalidInput, match="use another store"):
-        stoss.sweeps._store.Worker(store, "a")
+        opened(store, "a")
     mixed = stoss.open_sweep(store, mix=True)
     assert mixed.versions == ("0.0.9",) and mixed.rows.tobytes() == made[0].rows.tobytes()
 
@@ -140,12 +147,12 @@ def test_no_store(tmp_path):
 
 
 def test_two_writers_of_one_file(store):
-    with stoss.sweeps._store.Worker(store, "a"):
+    with opened(store, "a"):
         with pytest.raises(BlockingIOError, match="another process is writing it"):
-            stoss.sweeps._store.Worker(store, "a")
-    with stoss.sweeps._store.Worker(store) as one, stoss.sweeps._store.Worker(store) as other:
+            opened(store, "a")
+    with opened(store) as one, opened(store) as other:
         assert one.file != other.file
-    with stoss.sweeps._store.Worker(store, "a"):
+    with opened(store, "a"):
         pass
 
 

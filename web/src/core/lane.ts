@@ -1,9 +1,9 @@
 // One worker with the calls that wait for it. A call that is aborted ends soon; a worker that dies is replaced.
-import { CoreError, type Deliver } from './protocol';
-import type { Call } from './wasm';
+import type { CompiledCore } from 'stoss';
+import { type Call, CoreError, type Deliver } from './protocol';
 
 /** The first message is the compiled core; then one call after another. */
-export type ToWorker = { module: WebAssembly.Module } | { call: Call };
+export type ToWorker = { module: CompiledCore } | { call: Call };
 
 export type FromWorker =
   | { kind: 'alive' }
@@ -44,7 +44,7 @@ export const patience = 100;
 export const silence = 5;
 const startup = 30;
 
-export function createLane(spawn: () => Fellow, module: WebAssembly.Module): Lane {
+export function createLane(spawn: () => Fellow, module: CompiledCore): Lane {
   const waiting: Task[] = [];
   let current: Task | undefined;
   let worker: Fellow | undefined;

@@ -1,9 +1,8 @@
 // The core in the page's own thread, for what must be known at once: units, and whether numbers are right. All of it
 // throws CoreError with one line for what the core cannot do.
+import type { Ask } from 'stoss';
 import { documentOf } from '../inputs/document';
-import type { Thresholds } from './prediction';
-import { CoreError, type Encounter, type Motion, type Units } from './protocol';
-import type { Ask } from './wasm';
+import { CoreError, type Encounter, type Motion, type Thresholds, type Units } from './protocol';
 
 let core: Ask;
 

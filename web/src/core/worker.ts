@@ -1,7 +1,7 @@
 // A worker of the core: answers one call after another.
+import { type Ask, instantiate } from 'stoss';
 import type { FromWorker, ToWorker } from './lane';
 import { CoreError } from './protocol';
-import { type Ask, instantiate } from './wasm';
 
 let core: Promise<Ask> | undefined;
 

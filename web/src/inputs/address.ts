@@ -13,8 +13,11 @@ const keyOf = (field: BodyField, second: boolean): string => names[field][2] + (
 const keys = (second: boolean): string[] => (Object.keys(names) as BodyField[]).map((field) => keyOf(field, second));
 const known = new Set([
   'body', 'file', 'file2', 'units', 'plane', ...Object.values(motions).map(([, , key]) => key), ...keys(false), 'against', ...keys(true),
-  'view', 'keep',
+  'view', 'keep', 'version',
 ]);
+
+/** Of the keys and their meaning; an address names it only if it is another one (docs/versions.md). */
+const version = '1';
 
 /** The inputs as text after ? in the address. */
 export function toAddress(inputs: Inputs): string {
@@ -56,6 +59,7 @@ export function fromAddress(text: string): { inputs: Inputs; problem: string } {
   const encounter = inRange(encounterFrom(reader), problems);
   const motion = motionFrom(reader, encounter, problems);
   const simple = reader.word('view', ['full', 'simple']) === 'simple';
+  reader.word('version', [version]);
   reader.finish();
   const curves = parts.filter(isKept);
   if (curves.length > mostKept) problems.push(`keep: got ${curves.length} curves, allowed ${mostKept}`);

@@ -1,8 +1,7 @@
 // The panel of real materials: ε as predicted beside that of elastic bodies, and what takes the energy.
 import { html, nothing, render, type TemplateResult } from 'lit-html';
 import { thresholdsOf } from '../core/local';
-import type { Channel } from '../core/prediction';
-import type { Encounter, Prediction } from '../core/protocol';
+import type { Channel, Encounter, Prediction } from '../core/protocol';
 import { find } from '../drawing/dom';
 import { bandInWords, significant, withError, withUnit, written } from '../drawing/numbers';
 import { meetsBody, sidesOf } from '../inputs/document';

@@ -1,13 +1,9 @@
 // The core of the page in Node.js.
-import { readFileSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
+import { load } from 'stoss';
 import type { Encounter, Questions } from '../../src/core/protocol';
-import { instantiate } from '../../src/core/wasm';
 import { documentOf } from '../../src/inputs/document';
 
-const path = fileURLToPath(new URL('../../../build/wasm/stoss.wasm', import.meta.url));
-
-export const core = await instantiate(new WebAssembly.Module(Uint8Array.from(readFileSync(path))), () => {});
+export const { ask: core } = await load();
 
 /** The answer to a question, and what it delivered. */
 export function ask<Name extends keyof Questions>(

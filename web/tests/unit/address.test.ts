@@ -24,6 +24,9 @@ describe('the address', () => {
     const text = toAddress(cases[1]!).replaceAll(':', '%3A').replaceAll(',', '%2C');
     expect(toAddress(fromAddress(text).inputs)).toBe(toAddress(cases[1]!));
   });
+  it('may name its version', () => {
+    expect(fromAddress('body=disk&nu=0.33&v=0.1&version=1')).toEqual({ inputs: defaults, problem: '' });
+  });
   it('without anything is the default', () => {
     for (const text of ['', '?', '#']) expect(fromAddress(text)).toEqual({ inputs: defaults, problem: '' });
   });
@@ -35,6 +38,7 @@ describe('the address', () => {
     ['body=disk&nu=2&v=0.2', 'body=disk&nu=0.33&v=0.2', '2‑D Poisson’s ratio: got 2, allowed -0.95 to 0.995'],
     ['body=disk&nu=0.4&v=7', 'body=disk&nu=0.4&v=0.1', 'Speed of approach: got 7, allowed 1e-8 to 1 c'],
     ['body=disk&nu=0.4&v=0.2&colour=red', 'body=disk&nu=0.4&v=0.2', 'colour: got an unknown key, allowed body'],
+    ['body=disk&nu=0.4&v=0.2&version=2', 'body=disk&nu=0.4&v=0.2', 'version: got “2”, allowed 1'],
     ['body=disk&nu=0.4&v=0.2&R=3', 'body=disk&nu=0.4&v=0.2', 'R: got a key that this encounter does not have'],
     ['body=disk&nu=0.3&nu=0.4&v=0.2', 'body=disk&nu=0.3&v=0.2', 'nu: got twice, allowed once'],
     ['nu=0.4&v', 'body=disk&nu=0.4&v=0.1', 'v: got no value'],

@@ -2,8 +2,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { createLane, type Fellow, type FromWorker, type Lane, patience, silence, type ToWorker }
   from '../../src/core/lane';
-import type { Call } from '../../src/core/wasm';
-import { CoreError } from '../../src/core/protocol';
+import { type Call, CoreError } from '../../src/core/protocol';
 
 const module = {} as WebAssembly.Module;
 const call = (speed: number): Call => ({ question: 'restitution', given: { speed } });

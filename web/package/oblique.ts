@@ -1,16 +1,16 @@
-// How bodies meet at an angle with friction, and what the core says of it; part of the protocol.
+// How bodies meet at an angle with friction, and what the core says of it.
 
 /** How they meet: the speed of approach is that along the normal. With friction the first body comes in at an angle. */
 export interface Motion {
   /** c of the first body, or m/s in SI */
   readonly speed: number;
-  /** μ of Coulomb's law; without it nothing along the surface counts */
-  readonly friction: number;
+  /** μ of Coulomb's law, by default that of the encounter; without it nothing along the surface counts */
+  readonly friction?: number;
   /** between its velocity, relative to what it meets, and the normal, in degrees */
   readonly angle: number;
-  /** of both bodies, in c/R of the first, or rad/s in SI; they move what touches as the angle does */
-  readonly spin: number;
-  readonly spin2: number;
+  /** of both bodies, in c/R of the first, or rad/s in SI, by default 0; they move what touches as the angle does */
+  readonly spin?: number;
+  readonly spin2?: number;
 }
 
 /** ε_t of one angle, with ε. */

@@ -1,5 +1,5 @@
-// What a drop test of a real ball shows, as the core predicts it; part of the protocol.
-import type { Quantity } from './protocol';
+// What a drop test of a real ball shows, as the core predicts it.
+import type { Quantity } from './answers.js';
 
 /** What takes energy; ringing, radiation and material are certified, the others are models. */
 export interface Channel {

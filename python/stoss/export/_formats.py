@@ -1,0 +1,32 @@
+"""Names of the files that the package writes, with their versions (docs/versions.md)."""
+
+from __future__ import annotations
+
+import re
+
+from stoss import _core
+from stoss._errors import InvalidInput
+
+GRID = "stoss grid 1"
+SWEEP = "stoss sweep 1"
+RULE = "stoss collision rule 1"
+
+
+def require(name: str, given: object, own: str) -> None:
+    """Refuse another format than our own, and say so if it is of a later version."""
+    if given == own:
+        return
+    title, _, version = own.rpartition(" ")
+    found = re.fullmatch(rf"{re.escape(title)} ([1-9]\d*)", given) if isinstance(given, str) else None
+    hint = " (written by a later stoss)" if found and int(found[1]) > int(version) else ""
+    raise InvalidInput(f"{name}: got {str(given)[:60]!r}, allowed {own!r}{hint}")
+
+
+def require_readable(name: str, path: str, version: str) -> None:
+    """Refuse a file of stoss of a later first number, with which its columns may mean something else."""
+    own = _core.version.split(".")[0]
+    found = re.match(r"\d+", version)
+    if found and int(found[0]) > int(own):
+        raise InvalidInput(
+            f"{name}: got {path!r} of stoss {version}, allowed one of stoss {own} or earlier (stoss {found[0]} can read it)"
+        )

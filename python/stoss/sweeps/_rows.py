@@ -1,0 +1,107 @@
+"""The lines of a store's files: what a row holds, and how it is read."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from pathlib import Path
+from typing import Any, Iterable, Iterator, NamedTuple, Tuple
+
+from stoss import _core
+from stoss._errors import InvalidInput
+from stoss.export import _formats
+from stoss.export._text import UNKNOWN
+from stoss.sweeps._computation import Computation
+
+ORIGIN = re.compile(r"# stoss (\S+): sweep")
+
+Row = Tuple[Any, ...]
+
+
+class Layout:
+    """What a row of a computation holds: the key of its case, its point along the axes, what was found."""
+
+    def __init__(self, computation: Computation) -> None:
+        self.axes, self.columns = computation.axes, computation.columns
+        self.kinds = [computation.row[name].kind for name in self.columns]
+        self.header = ",".join(("case", *self.axes, *self.columns))
+
+
+class Stored(NamedTuple):
+    """A row, where it belongs, and which version of stoss computed it."""
+
+    key: str
+    point: tuple[float, ...]
+    row: Row
+    version: str
+
+
+def stored(file: Path, layout: Layout, mix: bool) -> Iterator[Stored]:
+    """The rows of a file, but for an incomplete last line.
+
+    Raises InvalidInput for a damaged line, and without `mix` for a file of another version.
+    """
+    with open(file, "rb") as stream:
+        yield from _stored(file, stream, layout, mix)
+
+
+def _stored(file: Path, lines: Iterable[bytes], layout: Layout, mix: bool) -> Iterator[Stored]:
+    version, names = "", list[str]()
+    cases = set[str]()
+    for number, line in enumerate(lines, start=1):
+        if not line.endswith(b"\n"):
+            return  # the worker was killed amid a write
+        line = line[:-1]
+        if number == 1:
+            version = _version(file, line, mix)
+            continue
+        try:
+            text = line.decode("ascii")
+            if text.startswith("# case "):
+                key, _, inputs = text.removeprefix("# case ").partition(": ")
+                json.loads(inputs)
+                cases.add(key)
+            elif text.startswith("# "):
+                continue
+            elif not names:
+                names = text.split(",")
+                needed = {"case", *layout.axes, *layout.columns}
+                if version == _core.version and text != layout.header or not needed <= set(names):
+                    raise ValueError
+                take = [names.index(name) for name in ("case", *layout.axes, *layout.columns)]
+            else:
+                cells = text.split(",")
+                if len(cells) != len(names):
+                    raise ValueError
+                key, *others = [cells[k] for k in take]
+                if key not in cases:
+                    raise ValueError
+                point = tuple(map(float, others[: len(layout.axes)]))
+                yield Stored(key, point, tuple(map(_value, layout.kinds, others[len(layout.axes) :])), version)
+        except (ValueError, KeyError):
+            raise _damaged(file, number, line) from None
+
+
+def _version(file: Path, line: bytes, mix: bool) -> str:
+    origin = ORIGIN.fullmatch(line.decode("utf-8", "replace"))
+    if origin is None:
+        raise _damaged(file, 1, line)
+    _formats.require_readable("store", str(file), origin[1])
+    if origin[1] != _core.version and not mix:
+        hint = "another version needs another store"
+        raise InvalidInput(f"store: got '{file}' of stoss {origin[1]}, allowed {_core.version} ({hint})")
+    return origin[1]
+
+
+def _damaged(file: Path, number: int, line: bytes) -> InvalidInput:
+    got = "".join(c if c.isprintable() else "?" for c in line[:40].decode("ascii", "replace"))
+    return InvalidInput(f"store: got '{got}' as line {number} of '{file}', allowed a row of a sweep (mend or delete it)")
+
+
+def _value(kind: str, cell: str) -> Any:
+    if kind == "b":
+        return {"true": True, "false": False}[cell]
+    if kind in "iu":
+        return int(cell)
+    return math.inf if cell == UNKNOWN else float(cell)

@@ -1,0 +1,126 @@
+"""The file of a worker, to which it appends each value when it is done."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import fcntl
+import json
+import os
+import re
+import socket
+import threading
+import time
+from pathlib import Path
+from typing import Any, Sequence
+
+from stoss import _core
+from stoss._errors import InvalidInput
+from stoss.export._text import cell, known
+from stoss.sweeps._rows import Layout, Row
+
+OFTEN = 1.0
+"""Seconds after which this process sends rows to the disk itself: after each row or task it would wait too often."""
+
+_sent = time.monotonic()
+
+
+class Worker:
+    """The file of one worker, locked against others while it is open."""
+
+    def __init__(self, path: Path, layout: Layout, name: str | None = None) -> None:
+        """Open `name`.csv, or a file of this thread of this machine.
+
+        Raises BlockingIOError while another process writes it, InvalidInput if it is of another
+        version, OSError if it cannot be written.
+        """
+        self._layout = layout
+        own = f"worker-{re.sub(r'[^A-Za-z0-9]', '-', socket.gethostname())}-{threading.get_native_id()}"
+        for number in range(1, 1000):
+            self.file = path / f"{name or own}{f'-{number}' if number > 1 else ''}.csv"
+            self._descriptor = os.open(self.file, os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o666)
+            try:
+                self._lock()
+                break
+            except BlockingIOError:
+                os.close(self._descriptor)
+                if name is not None:
+                    raise
+        self._cases: set[str] = set()
+        try:
+            self._mend()
+        except BaseException:
+            os.close(self._descriptor)
+            raise
+
+    def __enter__(self) -> Worker:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        os.close(self._descriptor)
+
+    def _lock(self) -> None:
+        try:
+            fcntl.flock(self._descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise BlockingIOError(errno.EAGAIN, "another process is writing it", str(self.file)) from None
+        except OSError:
+            pass  # where files cannot be locked
+
+    def _mend(self) -> None:
+        """Cut off an incomplete last line; begin an empty file. Of a long one only its ends are read."""
+        size = os.fstat(self._descriptor).st_size
+        self._size = self._last_line_end(size)
+        if self._size < size:
+            os.ftruncate(self._descriptor, self._size)
+        origin = f"# stoss {_core.version}: sweep\n".encode("ascii")
+        if self._size == 0:
+            self._write(f"{origin.decode('ascii')}{self._layout.header}\n")
+        elif os.pread(self._descriptor, len(origin), 0) != origin:
+            raise InvalidInput(f"store: got '{self.file}', allowed a file of stoss {_core.version} (use another store)")
+        elif self._size == len(origin):  # killed between two lines of the header
+            self._write(f"{self._layout.header}\n")
+
+    def _last_line_end(self, size: int) -> int:
+        """Where the last whole line ends."""
+        while size:
+            begin = max(0, size - (1 << 16))
+            piece = os.pread(self._descriptor, size - begin, begin)
+            if b"\n" in piece:
+                return begin + piece.rindex(b"\n") + 1
+            size = begin
+        return 0
+
+    def _write(self, text: str) -> None:
+        """One write; what the disk does not take whole is taken back."""
+        data = text.encode("ascii")
+        try:
+            if os.write(self._descriptor, data) != len(data):
+                raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        except OSError as error:
+            with contextlib.suppress(OSError):
+                os.ftruncate(self._descriptor, self._size)
+            raise type(error)(error.errno, error.strerror, str(self.file)) from None
+        self._size += len(data)
+
+    def append(self, key: str, inputs: Any, point: Sequence[float], row: Row) -> None:
+        """Add a row, before the first of a case also what the case is."""
+        cells = [cell(known(name, value)) for name, value in zip(self._layout.columns, row)]
+        comment = "" if key in self._cases else f"# case {key}: {json.dumps(inputs, sort_keys=True)}\n"
+        self._write(f"{comment}{','.join((key, *map(repr, point), *cells))}\n")
+        self._cases.add(key)
+        self.flush()
+
+    def flush(self) -> None:
+        """Let all rows so far survive a failure of the machine, not only of the process, if it is time again."""
+        global _sent
+        if time.monotonic() > _sent + OFTEN:
+            os.fsync(self._descriptor)
+            _sent = time.monotonic()
+
+
+def flush(path: Path) -> None:
+    """The same for all files of a store, now."""
+    for file in path.glob("*.csv"):
+        with open(file, "rb") as stream:
+            os.fsync(stream.fileno())

@@ -1,0 +1,74 @@
+// What impacts share must not be seen in them: the same bits with it and without, in any order and on any thread.
+#include "contact/set_ups.hpp"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+#include <vector>
+
+#include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/half_space.hpp"
+#include "stoss/bodies/sphere.hpp"
+#include "stoss/contact/grid.hpp"
+#include "stoss/impact/impact.hpp"
+#include "stoss/restitution/curve.hpp"
+
+namespace stoss {
+namespace {
+
+constexpr auto all = ResidualMotion::Inertia::all;
+
+std::vector<Contact> contacts() {
+  const Body lossy = disk(Disk{.poisson = 0.33, .loss_time = 0.02})(16.0, {});
+  return {contact(disk(0.33)(16.0, {})), contact(sphere(0.3)(11.0, {})), contact(lossy),
+          contact(disk(0.33)(16.0, {}), disk(0.2)(16.0, {}))};
+}
+
+TEST(SetUps, AreNotSeenInImpacts) {
+  for (const Contact& shared : contacts()) {
+    Contact alone = shared;
+    alone.set_ups = nullptr;
+    for (const double speed : {0.1, 0.03, 0.1}) {
+      const Impact with = impact(shared, speed), without = impact(alone, speed);
+      EXPECT_EQ(with.restitution, without.restitution);
+      EXPECT_EQ(with.max_force, without.max_force);
+      EXPECT_EQ(with.energy.unresolved, without.energy.unresolved);
+      EXPECT_EQ(with.energy.dissipated, without.energy.dissipated);
+    }
+  }
+}
+
+TEST(SetUps, BelongToOneGridAndStep) {
+  const Contact contact = contacts().front();
+  const ContactGrid grid = contact_grid(contact, 0.4, 32), finer = contact_grid(contact, 0.4, 40);
+  const auto made = contact.set_ups->of(contact, grid, all, 0.02, {});
+  EXPECT_EQ(contact.set_ups->of(contact, grid, all, 0.02, {}), made);
+  EXPECT_NE(contact.set_ups->of(contact, grid, all, 0.01, {}), made);
+  EXPECT_NE(contact.set_ups->of(contact, finer, all, 0.02, {}), made);
+  EXPECT_NE(contact.set_ups->of(contact, grid, ResidualMotion::Inertia::none, 0.02, {}), made);
+  EXPECT_EQ(contact.set_ups->of(contact, grid, all, 0.02, {}), made);
+}
+
+TEST(SetUps, TheOldestGoFirst) {
+  const Contact contact = contacts().front();
+  const ContactGrid grid = contact_grid(contact, 0.4, 128);
+  const auto oldest = contact.set_ups->of(contact, grid, ResidualMotion::Inertia::none, 0.02, {});
+  for (int other = 1; other <= 4; ++other) {
+    static_cast<void>(contact.set_ups->of(contact, grid, ResidualMotion::Inertia::none, 0.02 / (1 + other), {}));
+  }
+  EXPECT_EQ(oldest.use_count(), 1);  // ours: 4 MB hold four of 128 nodes
+}
+
+TEST(SetUps, CurvesDoNotDependOnTheirSpeedsOrThreads) {
+  const std::vector<double> speeds{0.02, 0.0201, 0.021, 0.1, 0.0999, 0.02};
+  const RefinableContact shared(sphere(0.3));
+  const std::vector<Restitution> both = restitution_curve(shared, speeds, {.each = {}, .threads = 2});
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    const Restitution alone = restitution(RefinableContact(sphere(0.3)), speeds[i], {});
+    EXPECT_EQ(both[i].restitution.value, alone.restitution.value);
+    EXPECT_EQ(both[i].restitution.error, alone.restitution.error);
+  }
+}
+
+}  // namespace
+}  // namespace stoss

@@ -1,0 +1,119 @@
+// What the core answers. Words are those of the command: docs/architecture.md, stoss --help.
+
+/** What an encounter's numbers are measured in. */
+export interface Units {
+  /** c, R/c and c/R of the first body: 1 or in SI */
+  speed: number;
+  time: number;
+  frequency: number;
+  /** E of the first body, of a disk in the plane: only in SI, Pa */
+  modulus?: number;
+  first: Elastic;
+  second?: Elastic;
+}
+
+/** Of a body that the core computes with; E in that of the first. */
+export interface Elastic {
+  young: number;
+  /** not of a rod */
+  poisson?: number;
+}
+
+/** A number as the core gives it, in `unit` ('' for a pure number); without `error` where there is none. An infinite
+ *  error is unknown. */
+export interface Quantity {
+  value: number;
+  unit: string;
+  error?: number;
+}
+
+/** ε of one speed: what `stoss restitution --format json` prints, by the same names. */
+export interface Restitution {
+  speed: number;
+  /** restitution, lost_fraction, contact_time, max_force, max_compression, … in units of the first body; with `si`
+   *  besides contact_time_si, … */
+  quantities: Record<string, Quantity>;
+  converged: boolean;
+  /** why not converged; '' */
+  reason: string;
+  /** of the finest impact, c/R: `stoss impact --cutoff` repeats it */
+  cutoff: number;
+  /** Whether linear elasticity has lost its meaning. */
+  beyondSmallStrain: boolean;
+  /** of spheres in SI, one of which has a yield strength: the speed in m/s at which it begins to yield */
+  yieldSpeed?: number;
+}
+
+/** What a collision has for every instant; energies are shares of the initial one. */
+type Instants = 'time' | 'velocity' | 'force' | 'contact_half_width'
+  | 'translation' | 'vibration' | 'stored' | 'dissipated' | 'unresolved';
+
+/** One impact in time, at a cutoff: `stoss impact --cutoff` computes the same. Times are in
+ *  `units.time`, from the start of the impact, just out of contact. */
+export interface Collision extends Record<Instants, Float64Array> {
+  units: Record<'time' | 'velocity' | 'force', string>;
+  /** of the bodies; the waves of a half-space are none of them */
+  modes: ModeEnergy[];
+  /** first and last instant in contact, in units.time */
+  begin: number;
+  end: number;
+}
+
+/** What collisions of both kinds have. */
+export type Course = Pick<Collision, 'time' | 'velocity' | 'force' | 'units' | 'begin' | 'end'>;
+
+export interface ModeEnergy {
+  /** 0: of the first body, 1: of the second */
+  body: 0 | 1;
+  order: number;
+  index: number;
+  /** in units of frequency of the first */
+  omega: number;
+  /** shares of the initial energy */
+  after: number;
+  average: number;
+}
+
+/** Points of a body at rest: every radius (0 … 1 of its own) with every angle; angle 0 points to what it meets. Of a
+ *  rod `radius` is the place along it (0: the struck end), and all angles are alike. `below`: of a half-space, with
+ *  which frames need it, every depth with every distance from the axis, in radii of the first; both begin with 0. */
+export interface Grid {
+  radius: Float32Array;
+  angle: Float32Array;
+  below?: { depth: Float32Array; distance: Float32Array };
+}
+
+/** A body at one instant, at the points of a grid: radii × angles, of a half-space depths × distances, row-major. */
+export interface BodyFrame {
+  /** place of its centre, of a half-space of its surface, in radii of the first; at rest, bodies would first touch at
+   *  0 */
+  center: number;
+  /** displacement in units of its own radius: along the radius, and along the angle; of a rod towards what it meets; of
+   *  a half-space into it and away from the axis, in radii of the first */
+  radial: Float32Array;
+  tangential: Float32Array;
+  /** von Mises stress and difference of the principal stresses in the plane, in units of the first body's modulus */
+  vonMises: Float32Array;
+  fringes: Float32Array;
+}
+
+/** What meets at one instant. x points from the first body to what it meets; the first body's centre is at x < 0. */
+export interface Frame {
+  /** in units.time of the collision, from its start: that of the step nearest to what was asked for */
+  time: number;
+  /** 1 at a wall, 2 for a pair or a half-space. Of a large one only the near side is computed: it is as at rest */
+  bodies: BodyFrame[];
+}
+
+/** Shape of one mode of a body at the points of a grid, maximum displacement 1. */
+export interface Shape {
+  radial: Float32Array;
+  tangential: Float32Array;
+}
+
+export interface CurvePoint {
+  speed: number;
+  restitution: number;
+  error: number;
+  converged: boolean;
+}

@@ -1,0 +1,81 @@
+// What users call: a method for each question about an encounter.
+import { type Ask, type CompiledCore, instantiate } from './core.js';
+import type { Encounter } from './generated/documents.js';
+import type { Questions, QuickQuestions } from './questions.js';
+
+type All = Questions & QuickQuestions;
+
+/** What comes one by one is returned as a list, and passed on at once to who waits for it. */
+type Method<Question extends (...given: never) => unknown> =
+  Parameters<Question> extends [infer Given, infer Each]
+    ? (encounter: Encounter | string, given: Given, each?: (each: Each, index: number) => void) => Each[]
+    : Parameters<Question> extends [infer Given]
+      ? (encounter: Encounter | string, given: Given) => ReturnType<Question>
+      : (encounter: Encounter | string) => ReturnType<Question>;
+
+/** A named material, with its source. */
+export interface NamedMaterial {
+  readonly name: string;
+  /** Pa */
+  readonly young: number;
+  readonly poisson: number;
+  /** kg/m³ */
+  readonly density: number;
+  /** η in s; 0: not known well enough */
+  readonly loss_time: number;
+  /** Pa; without it the material is brittle, or it is not known well enough */
+  readonly yield_strength?: number;
+  readonly source: string;
+}
+
+/** The core on this thread. An encounter is an object, or its JSON document. Methods compute until they return, and
+ *  throw CoreError with one line for what the core cannot do. */
+export type Stoss = { readonly [Name in keyof All]: Method<All[Name]> } & {
+  /** as the command has it */
+  readonly version: string;
+  /** The materials that can be named. */
+  readonly materials: readonly NamedMaterial[];
+  /** The JSON Schema of encounters. */
+  schema(): object;
+  /** A question by its name; what comes one by one is only passed on. */
+  readonly ask: Ask;
+};
+
+/** Whether the answers of a question come one by one. */
+const many: Record<keyof All, boolean> = {
+  restitution: false, curve: true, header: false, prediction: true, thresholds: false,
+  oblique: false, obliqueAngles: true, obliqueCollision: false,
+  collision: false, frames: true, sound: false, shape: false, units: false,
+};
+
+/** How a core is made. */
+export interface Options {
+  /** what `compile` gave; without it the core is compiled */
+  module?: CompiledCore;
+  /** is called some four times a second during long computations */
+  alive?: () => void;
+}
+
+/** What makes cores, where `compile` finds their module. */
+export function loader(compile: () => Promise<CompiledCore>) {
+  return async ({ module, alive }: Options = {}): Promise<Stoss> =>
+    withMethods(await instantiate(module ?? (await compile()), alive));
+}
+
+function withMethods(ask: Ask): Stoss {
+  const method = (name: keyof All) =>
+    (encounter: unknown, given: object = {}, each?: (each: unknown, index: number) => void): unknown => {
+      const all: unknown[] = [];
+      const document = typeof encounter === 'string' ? encounter : JSON.stringify(encounter) ?? '';
+      const answer = ask(name, { ...given, document }, (one: unknown, index: number) => {
+        all[index] = one;
+        each?.(one, index);
+      });
+      return many[name] ? all : answer;
+    };
+  const methods = Object.fromEntries(Object.keys(many).map((name) => [name, method(name as keyof All)]));
+  const { materials } = JSON.parse(ask('kinds', {}) as string) as { materials: NamedMaterial[] };
+  return {
+    ...methods, ask, materials, version: ask('version', {}), schema: () => JSON.parse(ask('schema', {}) as string),
+  } as unknown as Stoss;
+}
