@@ -29,19 +29,11 @@ std::string label(const std::string& name, double tolerance, double at) {
 /// Modes made before.
 void add_tolerance(double tolerance, const Case& at) {
   add(label("restitution", tolerance, at.speed), [tolerance, at](benchmark::State& state) {
-    const stoss::BodyMaker body = stoss::disk(poisson);
-    const stoss::RestitutionOptions options{.tolerance = tolerance};
-    const stoss::Restitution first = stoss::restitution(body, at.speed, options);
-    for (auto _ : state) {
-      state.PauseTiming();
-      const stoss::RefinableContact contact = with_modes(body, first);
-      state.ResumeTiming();
-      benchmark::DoNotOptimize(stoss::restitution(contact, at.speed, options).lost_fraction.value);
-    }
+    const double lost_fraction = time_values(state, stoss::disk(poisson), at.speed, {.tolerance = tolerance});
     if (at.speed == speed) {
-      count(state, first.lost_fraction.value);
+      count(state, lost_fraction);
     } else {
-      count_apart(state, first.lost_fraction.value, at.lost_fraction);
+      count_apart(state, lost_fraction, at.lost_fraction);
     }
   });
 }

@@ -59,16 +59,8 @@ void add_modes_to(double cutoff) {
 void add_restitution(const Case& at, double absolute) {
   add(label("restitution of a sphere, v = ", at.speed) + (absolute == 0.0 ? ", absolute 0" : ""),
       [at, absolute](benchmark::State& state) {
-        const stoss::BodyMaker ball = stoss::sphere(poisson_of_sphere);
-        const stoss::RestitutionOptions options{.absolute = absolute};
-        const stoss::Restitution first = stoss::restitution(ball, at.speed, options);
-        for (auto _ : state) {
-          state.PauseTiming();
-          const stoss::RefinableContact contact = with_modes(ball, first);
-          state.ResumeTiming();
-          benchmark::DoNotOptimize(stoss::restitution(contact, at.speed, options).lost_fraction.value);
-        }
-        count_apart(state, first.lost_fraction.value, at.lost_fraction);
+        count_apart(state, time_values(state, stoss::sphere(poisson_of_sphere), at.speed, {.absolute = absolute}),
+                    at.lost_fraction);
         state.counters[sphere_counter] = 1.0;
         if (at.finite_elements_to > 0.0) {
           state.counters[quoted_from_counter] = at.finite_elements_from;

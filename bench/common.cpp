@@ -25,10 +25,17 @@ void count_apart(benchmark::State& state, double lost_fraction, double converged
   state.counters[apart_counter] = 1.0;
 }
 
-stoss::RefinableContact with_modes(const stoss::BodyMaker& body, const stoss::Restitution& result) {
-  stoss::RefinableContact contact(body);
-  for (const stoss::Run& run : result.runs) static_cast<void>(contact.at(run.cutoff, 1.0, {}));
-  return contact;
+double time_values(benchmark::State& state, const stoss::BodyMaker& body, double at,
+                   const stoss::RestitutionOptions& options) {
+  const stoss::Restitution first = stoss::restitution(body, at, options);
+  for (auto _ : state) {
+    state.PauseTiming();
+    const stoss::RefinableContact contact(body);
+    for (const stoss::Run& run : first.runs) static_cast<void>(contact.at(run.cutoff, 1.0, {}));
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(stoss::restitution(contact, at, options).lost_fraction.value);
+  }
+  return first.lost_fraction.value;
 }
 
 }  // namespace bench

@@ -37,8 +37,9 @@ inline constexpr const char* quoted_to_counter = "finite elements to [s]";
 /// The disk with all modes up to a cutoff, made once.
 const stoss::Body& disk_body(double cutoff);
 
-/// A body at a wall with the modes for the runs of a result, and nothing else that they share.
-stoss::RefinableContact with_modes(const stoss::BodyMaker& body, const stoss::Restitution& result);
+/// Times `restitution` of a body at a wall, modes made before, and nothing else that impacts share. @return 1 − ε²
+double time_values(benchmark::State& state, const stoss::BodyMaker& body, double at,
+                   const stoss::RestitutionOptions& options);
 
 /// Registers a benchmark of one task, timed in milliseconds.
 template <typename Function>

@@ -1,4 +1,4 @@
-// Times of what the page asks of its core, in Node.js: node bench/page_times.mjs, after scripts/web.sh. Prints a table
+// Times of what the page asks of its core, in Node.js: node bench/page_times.mjs, after make npm. Prints a table
 // in Markdown: milliseconds of processor time of the thread that answers, and in brackets of all threads (the others
 // compile), median of five processes each. "fresh": the first call of a process; "warm": after values of spheres and
 // disks on half-spaces, as the page computes them at its start; "again": the same call once more, with bodies made anew.
@@ -6,7 +6,7 @@ import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
-const wasm = new URL('../build/wasm/', import.meta.url);
+const core = new URL('../build/npm/node.js', import.meta.url);
 const others = { disk: 'half-plane', sphere: 'half-space' };
 const of = (kind, against) => ({
   first: { kind, poisson: 0.3 },
@@ -34,33 +34,26 @@ function now() {
   return [own, (user + system) / 1e3];
 }
 
-function asked(core, { encounter, speed }, tolerance) {
+function asked(ask, { encounter, speed }, tolerance) {
   const before = now();
-  const made = core.makeEncounter(JSON.stringify(encounter));
-  const answer = made.encounter.restitution(speed, tolerance);
+  ask('restitution', { document: JSON.stringify(encounter), speed, tolerance });
   const after = now();
-  if (answer.error !== undefined) throw new Error(answer.error);
-  made.encounter.delete();
   return after.map((time, k) => time - before[k]);
 }
 
 /** In a process of its own. */
 async function measure(number) {
-  const { default: create } = await import(new URL('stoss.mjs', wasm));
-  const module = new WebAssembly.Module(readFileSync(new URL('stoss.wasm', wasm)));
-  const load = () => create({
-    locateFile: (name) => name,
-    instantiateWasm(imports, receive) { WebAssembly.instantiate(module, imports).then(receive); return {}; },
-  });
-  const core = await load();
+  const { compile, instantiate } = await import(core);
+  const module = await compile();
+  const ask = await instantiate(module);
   const times = {};
   if (process.argv[3] === 'warm') {
-    for (const kind of ['sphere', 'disk']) asked(core, { encounter: of(kind, 'half-space'), speed: 0.1 }, 1e-2);
+    for (const kind of ['sphere', 'disk']) asked(ask, { encounter: of(kind, 'half-space'), speed: 0.1 }, 1e-2);
     await new Promise((resolve) => setTimeout(resolve, 500));
-    times.warm = asked(await load(), cases[number], 1e-2);
+    times.warm = asked(await instantiate(module), cases[number], 1e-2);
   } else {
-    times.fresh = asked(core, cases[number], 1e-2);
-    times.again = asked(core, cases[number], 1e-2);
+    times.fresh = asked(ask, cases[number], 1e-2);
+    times.again = asked(ask, cases[number], 1e-2);
   }
   console.log(JSON.stringify(times));
 }

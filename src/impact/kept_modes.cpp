@@ -121,12 +121,9 @@ void KeptModes::load(const std::vector<double>& force, std::size_t count) {
   kernels::multiply_transposed(shapes_by_node_.data(), amplitude_.size(), count, 0, amplitude_.size(), force.data(),
                                amplitude_.data());
   const double scale = step_ / mass_;
-  double* const upper = push_.data();
-  double* const lower = upper + push_.size() / 2;
-  const double* const amplitude = amplitude_.data();
-  for (std::size_t g = 0; const Rows& rows : shapes_of_) {
-    upper[g] = scale * amplitude[rows.upper];
-    lower[g++] = scale * amplitude[rows.lower];
+  for (std::size_t g = 0; g < size_.size(); ++g) {
+    push_[g] = scale * amplitude_[shapes_of_[g].upper];
+    push_[push_.size() / 2 + g] = scale * amplitude_[shapes_of_[g].lower];
   }
 }
 
@@ -155,12 +152,9 @@ void KeptModes::advance() {
 
 void KeptModes::add_displacement(std::vector<double>& position) {
   std::fill(amplitude_.begin(), amplitude_.end(), 0.0);
-  const double* const upper = edge_.data();
-  const double* const lower = upper + edge_.size() / 2;
-  double* const amplitude = amplitude_.data();
-  for (std::size_t g = 0; const Rows& rows : shapes_of_) {
-    amplitude[rows.upper] += upper[g];
-    amplitude[rows.lower] += lower[g++];
+  for (std::size_t g = 0; g < size_.size(); ++g) {
+    amplitude_[shapes_of_[g].upper] += edge_[g];
+    amplitude_[shapes_of_[g].lower] += edge_[edge_.size() / 2 + g];
   }
   kernels::multiply_transposed(shapes_.data(), nodes_, shapes_.size() / nodes_, 0, nodes_, amplitude_.data(),
                                moved_.data());

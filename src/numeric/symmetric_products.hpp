@@ -18,7 +18,7 @@ class SymmetricProducts {
   /// @param poll is called between the products; it must live as long as the sum
   SymmetricProducts(std::size_t size, const Poll& poll);
 
-  /// Begins one more pair of rows, both of zeros or of what they held before: s of the last pair.
+  /// Begins one more pair of rows, s and l, which are to be filled.
   void start();
   [[nodiscard]] Row shape() { return {shape_.data() + (rows_ - 1) * stride_, size()}; }
   [[nodiscard]] Row load() { return {load_.data() + (rows_ - 1) * stride_, size()}; }

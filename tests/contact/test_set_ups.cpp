@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"

@@ -12,12 +12,11 @@ EdgeContact::EdgeContact(std::vector<double> matrix, EdgeLaw law, std::size_t si
     : EdgeContact(std::make_shared<const FactoredCompliance>(std::move(matrix), size, poll), std::move(law), poll) {}
 
 EdgeContact::EdgeContact(std::shared_ptr<const FactoredCompliance> compliance, EdgeLaw law, const Poll& poll)
-    : factored_(std::move(compliance)),
-      compliance_(*factored_),
+    : compliance_(std::move(compliance)),
       law_(std::move(law)),
       poll_(poll),
-      inner_(compliance_.size()),
-      closure_(compliance_.size()) {}
+      inner_(compliance_->size()),
+      closure_(compliance_->size()) {}
 
 double EdgeContact::half_width() const {
   // By as much the closures of a zone exceed, on average over its place, what lies within the edge.
@@ -85,7 +84,7 @@ void EdgeContact::solve(const std::vector<double>& q, std::vector<double>& force
 
 void EdgeContact::solve_point(const std::vector<double>& q, std::vector<double>& force,
                               std::vector<double>& displacement) {
-  force[0] = q[0] / compliance_.matrix()(0, 0);
+  force[0] = q[0] / compliance_->matrix()(0, 0);
   displacement[0] = q[0];
   closure_[0] = 1.0;
   extent_ = 1;
@@ -104,16 +103,16 @@ void EdgeContact::find_zone(std::size_t rigid) {
     closure_before_.fill(0.5);
   }
   zone_.first = rigid;
-  zone_.count = std::min<std::size_t>(3, compliance_.size() - rigid);
+  zone_.count = std::min<std::size_t>(3, compliance_->size() - rigid);
   for (std::size_t a = 0; a < zone_.count; ++a) {
     zone_.position[a] = 0.0;
     for (std::size_t c = 0; c <= a; ++c) {
-      zone_.position[a] += compliance_.lower(rigid + a, rigid + c) * inner_[rigid + c];
+      zone_.position[a] += compliance_->lower(rigid + a, rigid + c) * inner_[rigid + c];
     }
     for (std::size_t b = 0; b <= a; ++b) {
       double sum = 0.0;
       for (std::size_t c = 0; c <= b; ++c) {
-        sum += compliance_.lower(rigid + a, rigid + c) * compliance_.lower(rigid + b, rigid + c);
+        sum += compliance_->lower(rigid + a, rigid + c) * compliance_->lower(rigid + b, rigid + c);
       }
       zone_.compliance[a][b] = zone_.compliance[b][a] = sum;
     }
@@ -123,11 +122,11 @@ void EdgeContact::find_zone(std::size_t rigid) {
 bool EdgeContact::solve_edge(const std::vector<double>& q, double tolerance, std::vector<double>& force,
                              std::vector<double>& displacement) {
   constexpr int max_trials = 12;
-  const std::size_t size = compliance_.size();
+  const std::size_t size = compliance_->size();
   std::size_t rigid = std::min(rigid_, size);
   for (int trial = 0; trial < max_trials; ++trial) {
     const std::size_t count = std::min(rigid + 3, size);
-    compliance_.forward(count, q, inner_);
+    compliance_->forward(count, q, inner_);
     find_zone(rigid);
     const bool known = in_zone_;
     in_zone_ = solve_zone(law_, zone_);
@@ -140,11 +139,11 @@ bool EdgeContact::solve_edge(const std::vector<double>& q, double tolerance, std
     for (std::size_t a = 0; a < zone_.count; ++a) {
       double sum = 0.0;
       for (std::size_t b = a; b < zone_.count; ++b) {
-        sum += compliance_.lower(rigid + b, rigid + a) * law_.force_at(rigid + b, zone_.closure[b]);
+        sum += compliance_->lower(rigid + b, rigid + a) * law_.force_at(rigid + b, zone_.closure[b]);
       }
       inner_[rigid + a] = sum;
     }
-    compliance_.backward(count, inner_, force);
+    compliance_->backward(count, inner_, force);
     std::size_t keep = rigid;
     while (keep > 0 && force[keep - 1] < law_.force[keep - 1]) --keep;
     for (std::size_t i = 0; i < keep; ++i) {
@@ -154,7 +153,7 @@ bool EdgeContact::solve_edge(const std::vector<double>& q, double tolerance, std
       rigid = keep;
       continue;
     }
-    compliance_.multiply(count, count, force, displacement);
+    compliance_->multiply(count, count, force, displacement);
     std::size_t grown = count;
     while (grown < size && displacement[grown] - q[grown] < law_.opening * law_.gap[grown] - tolerance) ++grown;
     for (std::size_t i = grown; i < size; ++i) {
@@ -194,10 +193,10 @@ void EdgeContact::begin_anew(const std::vector<double>& q) {
 
 void EdgeContact::solve_generally(const std::vector<double>& q, double scale, std::vector<double>& force,
                                   std::vector<double>& displacement) {
-  const std::size_t size = compliance_.size();
+  const std::size_t size = compliance_->size();
   // From the last solution, whose far nodes may never have been asked for.
   for (std::size_t i = extent_; i < size; ++i) closure_[i] = law_.free_closure(i, -q[i]);
-  const auto solved = [&] { return solve_all(compliance_, law_, q, scale, poll_, closure_); };
+  const auto solved = [&] { return solve_all(*compliance_, law_, q, scale, poll_, closure_); };
   if (!solved() && !(begin_anew(q), solved())) {
     throw NotConverged("contact: no forces at the nodes obey the law of contact (use another number of nodes)");
   }
@@ -207,7 +206,7 @@ void EdgeContact::solve_generally(const std::vector<double>& q, double scale, st
     if (force[i] > 0.0) extent_ = i + 1;
     if (closure_[i] >= 1.0 && rigid_ == i) ++rigid_;
   }
-  compliance_.multiply(0, extent_, force, displacement);
+  compliance_->multiply(0, extent_, force, displacement);
 }
 
 }  // namespace stoss

@@ -61,8 +61,7 @@ class EdgeContact {
   void solve_point(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement);
   void find_zone(std::size_t rigid);
 
-  std::shared_ptr<const FactoredCompliance> factored_;
-  const FactoredCompliance& compliance_;
+  std::shared_ptr<const FactoredCompliance> compliance_;
   EdgeLaw law_;
   Poll poll_;
   std::vector<double> inner_;    // L⁻¹ q; then Lᵀ f

@@ -1,4 +1,5 @@
 // The core's table of kinds and its named materials, as the page asks them: what can meet, and of which numbers.
+import type { NamedMaterial } from 'stoss';
 import { kinds, materials as named } from '../generated/kinds';
 
 type Row = (typeof kinds)[number];
@@ -79,17 +80,7 @@ export function lengthOf({ parameters }: Kind): BodyField | undefined {
   return parameters.find(({ unit }) => unit === 'm')?.name;
 }
 
-export interface Material {
-  readonly name: string;
-  readonly young: number;
-  readonly poisson: number;
-  readonly density: number;
-  /** 0: not known well enough */
-  readonly loss_time: number;
-  /** without it the material is brittle, or it is not known well enough */
-  readonly yield_strength?: number;
-  readonly source: string;
-}
+export type Material = NamedMaterial;
 
 export const materials: readonly Material[] = named;
 

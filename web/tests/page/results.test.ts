@@ -11,13 +11,14 @@ async function downloaded(page: Page, button: string): Promise<{ name: string; c
   return { name: file.suggestedFilename(), content: await readFile((await file.path())!) };
 }
 
-/** The CSV of the curve once it is complete. */
+/** The CSV of the curve once it is complete: before its first point nothing is downloaded. */
 async function wholeCurve(page: Page): Promise<string> {
   for (;;) {
-    const { content } = await downloaded(page, '#download-csv');
-    if ((await page.textContent('#done')) === 'CSV downloaded.') return content.toString();
+    await page.click('#download-csv');
+    if ((await page.textContent('#done')) === 'CSV downloaded.') break;
     await page.waitForTimeout(500);
   }
+  return (await downloaded(page, '#download-csv')).content.toString();
 }
 
 /** The rows of a CSV file by the names of its columns. */
