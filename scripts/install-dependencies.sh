@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that stoss needs and that are missing, as root or through sudo: all of them, or with the
 # argument `build` only those for the library and the command, with `python` also those for the Python package, with
-# `test` also those of `make test`; with `long` besides all of them Yade, a gigabyte, for `make test-long`.
+# `test` also those of `make test`; with `long` besides all of them Yade, a gigabyte, and compilers for other systems, for
+# `make test-long`.
 # With `modal` those of the package and of `python -m stoss.modal`.
 # Where that is not possible it names what is missing and stops with an error.
 set -euo pipefail
@@ -44,6 +45,12 @@ if [ "$what" = all ] || [ "$what" = long ]; then
 fi
 
 [ "$what" != long ] || packages+=(yade)
+
+# Other systems (scripts/systems.sh).
+if [ "$what" = long ]; then
+  packages+=(libc++-14-dev libc++abi-14-dev)
+  packages+=(g++-i686-linux-gnu g++-s390x-linux-gnu g++-mingw-w64-x86-64-posix qemu-user)
+fi
 
 # Body files from finite elements; CalculiX is their second source in tests.
 if [ "$what" = modal ] || [ "$what" = test ] || [ "$what" = long ]; then

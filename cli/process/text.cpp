@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <csignal>
-#include <cstdio>
+#include "process/system.hpp"
 
 namespace stoss::cli {
 namespace {
@@ -41,13 +40,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
 std::string without_spaces(const std::string& text) {
   const auto first = text.find_first_not_of(' ');
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
-void show(std::string_view text) noexcept {
-  // A reader of stderr that has gone must not end the computation.
-  const auto before = std::signal(SIGPIPE, SIG_IGN);
-  (void)std::fwrite(text.data(), 1, text.size(), stderr);
-  (void)std::signal(SIGPIPE, before);
 }
 
 void say(std::string_view line) noexcept {
