@@ -1,10 +1,8 @@
 // The stoss command. Exit codes: 0 ok, 1 not converged, 2 usage, 3 bad input, 4 input/output, 130 interrupted.
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
-#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -14,6 +12,7 @@
 #include "commit.hpp"
 #include "output/output.hpp"
 #include "process/process.hpp"
+#include "process/system.hpp"
 #include "process/text.hpp"
 #include "stoss/errors.hpp"
 
@@ -38,14 +37,6 @@ std::vector<std::string> words(int argc, char** argv) {
     list.push_back(std::move(word));
   }
   return list;
-}
-
-/// A closed descriptor 0, 1 or 2 would become that of the next file that is opened. On 1 and 2, writing fails as it
-/// did.
-void reopen_closed_descriptors() {
-  for (int descriptor = 0; descriptor <= 2; ++descriptor) {
-    if (fcntl(descriptor, F_GETFD) == -1) (void)open("/dev/null", O_RDONLY);
-  }
 }
 
 int run(int argc, char** argv) {
@@ -86,8 +77,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  reopen_closed_descriptors();
-  (void)std::signal(SIGXFSZ, SIG_IGN);  // a file that must not grow is then an error of writing
+  stoss::cli::prepare_streams();
   try {
     stoss::cli::set_command_line(argc, argv);
     return run(argc, argv);

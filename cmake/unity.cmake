@@ -12,3 +12,17 @@ function(stoss_unity_by_folder target)
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
 endfunction()
+
+# Fuzzers see which branches are taken in a folder, which is compiled as one or file by file; the rest of the target
+# stays as it is, and as fast.
+function(stoss_fuzzed_folder target folder)
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "^${folder}/[^/]*$")
+  foreach(source IN LISTS sources)
+    if(CMAKE_UNITY_BUILD)
+      get_source_file_property(group ${source} UNITY_GROUP)
+      set(source ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/Unity/unity_${group}_cxx.cxx)
+    endif()
+    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS ${STOSS_FUZZ_COVERAGE})
+  endforeach()
+endfunction()

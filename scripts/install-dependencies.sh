@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that stoss needs and that are missing, as root or through sudo: all of them, or with the
 # argument `build` only those for the library and the command, with `python` also those for the Python package, with
-# `test` also those of `make test`; with `long` besides all of them Yade, a gigabyte, for `make test-long`.
+# `test` also those of `make test`; with `long` besides all of them Yade, a gigabyte, and compilers for other systems, for
+# `make test-long`.
 # With `modal` those of the package and of `python -m stoss.modal`; with `deb` those of `make deb`.
 # Where that is not possible it names what is missing and stops with an error.
 set -euo pipefail
@@ -22,7 +23,7 @@ fi
 # Tests and checks; the page.
 if [ "$what" = test ] || [ "$what" = all ] || [ "$what" = long ]; then
   packages+=(
-    libgtest-dev libgmock-dev pkgconf python3-pytest python3-jsonschema python3-hypothesis python3-tqdm mypy
+    libgtest-dev libgmock-dev pkgconf strace python3-pytest python3-jsonschema python3-hypothesis python3-tqdm mypy
     gfortran chipmunk-dev libbox2d-dev libbullet-dev
     python3-scipy python3-numba lammps liggghts libmujoco-dev
     python3-netcdf4 python3-xarray python3-mpi4py openmpi-bin python3-distributed
@@ -50,6 +51,12 @@ if [ "$what" = deb ] || [ "$what" = long ]; then
   packages+=(build-essential debhelper dh-python dpkg-dev lintian sphinx-common)
 fi
 [ "$what" != long ] || packages+=(autopkgtest debootstrap)
+
+# Other systems (scripts/systems.sh).
+if [ "$what" = long ]; then
+  packages+=(libc++-14-dev libc++abi-14-dev)
+  packages+=(g++-i686-linux-gnu g++-s390x-linux-gnu g++-mingw-w64-x86-64-posix qemu-user)
+fi
 
 # Body files from finite elements; CalculiX is their second source in tests.
 if [ "$what" = modal ] || [ "$what" = test ] || [ "$what" = long ]; then

@@ -51,7 +51,7 @@ step "build: clang++ with AddressSanitizer and UndefinedBehaviorSanitizer"
 # What handles memory: the C interface, documents, the command; before a release all.
 if [ "$tier" = long ]; then
   configure asan -DSTOSS_TEST_ROOMS=
-  cmake --build --preset asan -j "$jobs" --target stoss_command stoss_tests stoss_command_tests
+  cmake --build --preset asan -j "$jobs" --target stoss_command stoss_tests stoss_command_tests stoss_fuzz
 else
   configure asan
   cmake --build --preset asan -j "$jobs"
@@ -63,7 +63,8 @@ run whole
 step "tests under sanitizers"
 # They are slow: what has passed is not run again.
 passed=build/asan/passed
-state=$(cat build/asan/tests/stoss_tests build/asan/cli/stoss $(git ls-files tests) | sha256sum)" $tier"
+programs=(build/asan/tests/stoss_tests build/asan/cli/stoss build/asan/fuzz/stoss_fuzz_*)
+state=$(cat "${programs[@]}" $(git ls-files tests fuzz) | sha256sum)" $tier"
 if [ "$state" = "$(cat "$passed" 2>/dev/null)" ]; then
   echo "passed before, and neither the programs nor the tests have changed since"
 else

@@ -27,7 +27,7 @@ void require(std::string_view name, double value, const Range& range, std::strin
   if (!std::isfinite(value) || !above || !below) refuse(name, shown(value), range.text, hint);
 }
 
-void require(std::string_view name, long value, long low, long high, std::string_view hint) {
+void require(std::string_view name, std::int64_t value, std::int64_t low, std::int64_t high, std::string_view hint) {
   if (value < low || value > high) {
     refuse(name, std::to_string(value), std::to_string(low) + " to " + std::to_string(high), hint);
   }

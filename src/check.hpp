@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -18,7 +19,7 @@ struct Range {
 void require(std::string_view name, double value, const Range& range, std::string_view hint);
 
 /// Throws InvalidInput unless low <= value <= high.
-void require(std::string_view name, long value, long low, long high, std::string_view hint);
+void require(std::string_view name, std::int64_t value, std::int64_t low, std::int64_t high, std::string_view hint);
 
 /// Throws InvalidInput unless `poisson` is a 2-D Poisson's ratio for which the modes are tested, −0.95 … 0.995.
 void require_poisson(double poisson);

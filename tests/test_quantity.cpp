@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <set>
 
 #include "stoss/bodies/disk.hpp"
@@ -87,7 +88,8 @@ TEST(Quantities, OfAnImpactAddUp) {
     sum += std::get<double>(named(impact_quantities(), name).value(hit));
   }
   EXPECT_NEAR(sum, 1.0, 1e-12);
-  EXPECT_EQ(std::get<long>(named(impact_quantities(), "modes").value(hit)), static_cast<long>(hit.energy.modes.size()));
+  EXPECT_EQ(std::get<std::int64_t>(named(impact_quantities(), "modes").value(hit)),
+            static_cast<std::int64_t>(hit.energy.modes.size()));
 }
 
 TEST(Quantities, ThatConvergeHaveAnError) {

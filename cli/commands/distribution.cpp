@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "app.hpp"
 #include "input/encounter.hpp"
 #include "output/row_run.hpp"
 #include "process/process.hpp"
+#include "process/system.hpp"
 #include "process/text.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"
@@ -104,7 +106,7 @@ RowPlan sample_plan(const Ensemble& ensemble, std::vector<Sample>& taken) {
   const Columns columns = sample_fields(ensemble.units).columns();
   return {.size = static_cast<std::size_t>(ensemble.options.samples),
           .columns = columns,
-          .key = [](std::size_t row) { return Row{static_cast<long>(row)}; },
+          .key = [](std::size_t row) { return Row{static_cast<std::int64_t>(row)}; },
           .name = [](std::size_t row) { return fmt::format("sample {}", row); },
           .observer = [&taken, columns](const Row& row) { taken.push_back(sample_of(columns, row)); }};
 }
@@ -112,7 +114,7 @@ RowPlan sample_plan(const Ensemble& ensemble, std::vector<Sample>& taken) {
 /// Computes the samples that the run does not have yet. @throws Interrupted, OutputError
 void compute_samples(const Ensemble& ensemble, RowRun& run) {
   DistributionOptions options = ensemble.options;
-  options.first = static_cast<long>(run.done());
+  options.first = static_cast<std::int64_t>(run.done());
   options.samples -= options.first;
   if (options.samples == 0) return;
   options.poll = [&run] {

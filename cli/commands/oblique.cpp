@@ -13,6 +13,7 @@
 #include "output/row_run.hpp"
 #include "process/process.hpp"
 #include "stoss/encounter/series.hpp"
+#include "stoss/encounter/visible.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::cli {

@@ -9,6 +9,7 @@
 #include "output/output_options.hpp"
 #include "process/process.hpp"
 #include "stoss/encounter/series.hpp"
+#include "stoss/encounter/visible.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/prediction/prediction.hpp"
 #include "stoss/prediction/quantities.hpp"

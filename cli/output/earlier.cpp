@@ -78,7 +78,7 @@ void check_inputs(const Lines& lines, Inputs found, const Provenance& provenance
     if (!before.empty() && before.mapped() != value) refuse_input(lines, name, value, excerpt(before.mapped()));
   }
   found.erase("command");
-  if (!found.empty()) refuse_input(lines, found.begin()->first, "none", excerpt(found.begin()->second));
+  if (!found.empty()) refuse_input(lines, excerpt(found.begin()->first), "none", excerpt(found.begin()->second));
 }
 
 /// Whether the header is complete, up to the names of the columns. If it is not, there is no row either.

@@ -1,13 +1,24 @@
 #include "output/output.hpp"
 
+#include <fmt/format.h>
+
 #include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <utility>
 
 #include "process/process.hpp"
+#include "process/text.hpp"
 
 namespace stoss::cli {
 namespace {
+
+namespace fs = std::filesystem;
+
+std::string sentence(const std::string& path, std::string_view why) {
+  const std::string place = path.empty() ? "to stdout" : fmt::format("'{}'", shortened(path, longest_path));
+  return fmt::format("output: cannot write {}: {}", place, why);
+}
 
 [[noreturn]] void fail(const std::string& path) {
   const int reason = errno;
@@ -16,6 +27,19 @@ namespace {
 }
 
 }  // namespace
+
+void cannot_write(const std::string& path, std::string_view why) { throw OutputError(sentence(path, why)); }
+
+void cannot_write(const std::string& path, int reason) {
+  throw OutputError(sentence(path, std::strerror(reason)), reason);
+}
+
+fs::path behind_links(fs::path path) {
+  constexpr int most = 40;  // of a loop
+  std::error_code none;
+  for (int i = 0; i < most && fs::is_symlink(path, none); ++i) path = path.parent_path() / fs::read_symlink(path, none);
+  return path;
+}
 
 Output::Output(const std::string& path, Use use) : path_(path == "-" ? "" : path), use_(use) {
   if (path_.empty()) return;
@@ -52,8 +76,8 @@ bool same_output(const std::string& a, const std::string& b) {
   };
   const auto first = resolved(a), second = resolved(b);
   std::error_code ignored;  // what cannot be looked at cannot be opened either, which is reported then
-  if (std::filesystem::is_regular_file(first, ignored)) return std::filesystem::equivalent(first, second, ignored);
-  return std::filesystem::weakly_canonical(first, ignored) == std::filesystem::weakly_canonical(second, ignored);
+  if (fs::is_regular_file(first, ignored)) return fs::equivalent(first, second, ignored);
+  return fs::weakly_canonical(first, ignored) == fs::weakly_canonical(second, ignored);
 }
 
 }  // namespace stoss::cli

@@ -1,14 +1,13 @@
 #include "output/progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include "process/text.hpp"
+#include "process/system.hpp"
 
 namespace stoss::cli {
 
 Progress::Progress(const OutputOptions& output, std::size_t total)
-    : terminal_(!output.quiet && isatty(STDERR_FILENO) != 0),
+    : terminal_(!output.quiet && stderr_is_terminal()),
       visible_(terminal_ && !output.path.empty() && output.path != "-"),
       total_(total) {}
 

@@ -4,8 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
+#include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <iterator>
 #include <limits>
 
@@ -18,10 +19,15 @@ namespace {
 std::optional<Value> value_of_csv(const std::string& cell) {
   if (cell == "true" || cell == "false") return cell == "true";
   if (cell == unknown) return std::string(unknown);
-  double number = 0.0;
-  const char* const last = cell.data() + cell.size();
-  const auto [end, error] = std::from_chars(cell.data(), last, number);
-  return error == std::errc{} && end == last ? std::optional<Value>(number) : std::nullopt;
+  // As csv_row writes it: strtod alone would take spaces, a plus and hexadecimal digits, too.
+  if (cell.empty() || cell.front() == '+' || cell.find_first_not_of("0123456789+-.einfa") != std::string::npos) {
+    return std::nullopt;
+  }
+  char* end = nullptr;
+  errno = 0;
+  const double number = std::strtod(cell.c_str(), &end);
+  const bool beyond = errno == ERANGE && (number == 0.0 || std::isinf(number));
+  return !beyond && end == cell.c_str() + cell.size() ? std::optional<Value>(number) : std::nullopt;
 }
 
 /// A text that has commas stands in quotes.

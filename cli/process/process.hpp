@@ -19,7 +19,7 @@ void heed_interrupts();
 
 /// Becomes Python with these words for the package's command of the same name: it has the store of sweeps, the fits,
 /// and writes NetCDF. Complains of a package of another version, which would compute other values.
-/// @throws OutputError if there is no Python
+/// @throws OutputError if there is no Python, and on Windows
 [[noreturn]] void become_python(const std::vector<std::string>& words);
 
 }  // namespace stoss::cli

@@ -2,47 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <csignal>
-#include <cstdio>
+#include "process/system.hpp"
 
 namespace stoss::cli {
 namespace {
-
-unsigned byte(char c) { return static_cast<unsigned char>(c); }
-
-bool continues(char c) { return (byte(c) & 0xC0U) == 0x80U; }
-
-/// Bytes of the printable character that `text` begins with; 0: it begins with none.
-std::size_t printable(std::string_view text) {
-  const unsigned first = byte(text.front());
-  if (first < 0x80U) return first >= 0x20U && first != 0x7FU ? 1 : 0;
-  if (first < 0xC2U || first > 0xF4U) return 0;
-  const std::size_t length = first < 0xE0U ? 2 : first < 0xF0U ? 3 : 4;
-  if (text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if (!continues(text[i])) return 0;
-  }
-  const bool control = first == 0xC2U && byte(text[1]) < 0xA0U;
-  return control ? 0 : length;
-}
-
-std::string escaped(char c, fmt::format_string<unsigned> code) {
-  if (c == '\n') return "\\n";
-  if (c == '\r') return "\\r";
-  if (c == '\t') return "\\t";
-  return fmt::format(code, byte(c));
-}
-
-/// The text with whatever is not printable as `code` says.
-std::string escaped(std::string_view text, fmt::format_string<unsigned> code) {
-  std::string line;
-  while (!text.empty()) {
-    const std::size_t length = printable(text);
-    line += length == 0 ? escaped(text.front(), code) : std::string(text.substr(0, length));
-    text.remove_prefix(length == 0 ? 1 : length);
-  }
-  return line;
-}
 
 std::string replaced(std::string_view text, char what, std::string_view by) {
   std::string result;
@@ -52,15 +15,14 @@ std::string replaced(std::string_view text, char what, std::string_view by) {
 
 }  // namespace
 
-std::string visible(std::string_view text) { return escaped(text, "\\x{:02x}"); }
-
 std::string shell_quoted(std::string_view word) {
   constexpr std::string_view bare = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+:,./-=";
   if (!word.empty() && word.front() != '=' && word.find_first_not_of(bare) == std::string_view::npos) {
     return std::string(word);
   }
   if (visible(word) == word) return fmt::format("'{}'", replaced(word, '\'', "'\\''"));
-  return fmt::format("$'{}'", escaped(replaced(replaced(word, '\\', "\\\\"), '\'', "\\'"), "\\{:03o}"));
+  const auto octal = [](unsigned char byte) { return fmt::format("\\{:03o}", byte); };
+  return fmt::format("$'{}'", visible(replaced(replaced(word, '\\', "\\\\"), '\'', "\\'"), octal));
 }
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -78,13 +40,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
 std::string without_spaces(const std::string& text) {
   const auto first = text.find_first_not_of(' ');
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
-void show(std::string_view text) noexcept {
-  // A reader of stderr that has gone must not end the computation.
-  const auto before = std::signal(SIGPIPE, SIG_IGN);
-  (void)std::fwrite(text.data(), 1, text.size(), stderr);
-  (void)std::signal(SIGPIPE, before);
 }
 
 void say(std::string_view line) noexcept {

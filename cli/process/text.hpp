@@ -4,12 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "stoss/encounter/series.hpp"
+#include "stoss/encounter/visible.hpp"
 
 namespace stoss::cli {
-
-/// The text on one line: control characters, and bytes that are no UTF-8, as \n or \x1b.
-[[nodiscard]] std::string visible(std::string_view text);
 
 /// The word as a shell reads it back: bare, in '…' or, with control characters, in $'…'.
 [[nodiscard]] std::string shell_quoted(std::string_view word);
@@ -22,8 +19,5 @@ namespace stoss::cli {
 
 /// Writes one line on stderr. If stderr cannot be written, the line is lost and nothing else changes.
 void say(std::string_view line) noexcept;
-
-/// Writes on stderr as it is, without a line end, and as safely as `say`.
-void show(std::string_view text) noexcept;
 
 }  // namespace stoss::cli

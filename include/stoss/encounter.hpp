@@ -12,4 +12,5 @@
 #include "stoss/encounter/schema.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/encounter/solid.hpp"
+#include "stoss/encounter/visible.hpp"
 #include "stoss/encounter/waves.hpp"

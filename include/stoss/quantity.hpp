@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -31,7 +32,7 @@ enum class UnitSystem { disk, rod, disk_si, rod_si, sphere, sphere_si };
 [[nodiscard]] double unit_in_si(Dimension dimension, const Scales& scales);
 
 /// A value of a quantity.
-using Value = std::variant<double, long, bool, std::string>;
+using Value = std::variant<double, std::int64_t, bool, std::string>;
 
 /// Whether something is a value with its error, as Estimate is.
 template <typename T>

@@ -38,8 +38,8 @@ class Rows {
       const Value found = value(result);
       if (const auto* number = std::get_if<double>(&found)) {
         put(*number);
-      } else if (const auto* whole = std::get_if<long>(&found)) {
-        put(static_cast<std::int64_t>(*whole));
+      } else if (const auto* whole = std::get_if<std::int64_t>(&found)) {
+        put(*whole);
       } else {
         put(std::get<bool>(found));
       }
@@ -62,7 +62,9 @@ class Rows {
     };
     for (const auto& [name, dimension, value, error] : *quantities_) {
       const Value found = value(Result{});
-      field(name, std::holds_alternative<double>(found) ? "f8" : std::holds_alternative<long>(found) ? "i8" : "?");
+      field(name, std::holds_alternative<double>(found)         ? "f8"
+                  : std::holds_alternative<std::int64_t>(found) ? "i8"
+                                                                : "?");
       if (error) field(name + "_error", "f8");
     }
     return {names, formats, offsets, static_cast<py::ssize_t>(width_)};

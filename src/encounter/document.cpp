@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -130,7 +132,8 @@ Participant participant(const std::string& where, const Json& given) {
 }
 
 int whole(const std::string& where, const Json& value) {
-  if (!value.is_number_integer()) refuse(where, value, "a whole number");
+  constexpr double most = std::numeric_limits<int>::max();
+  if (!value.is_number_integer() || std::abs(value.get<double>()) > most) refuse(where, value, "a whole number");
   return value.get<int>();
 }
 
@@ -205,12 +208,7 @@ Json described(const Participant& of) {
 }  // namespace
 
 Encounter encounter_from_json(std::string_view text) {
-  Json document;
-  try {
-    document = Json::parse(text);
-  } catch (const Json::exception& error) {
-    throw InvalidInput("encounter: got no JSON document, allowed one (" + std::string(error.what()) + ")");
-  }
+  const Json document = parsed("encounter", text);
   if (object("encounter", document).contains("format")) require_format("format", document["format"], encounter_format);
   if (!document.contains("first")) refuse("encounter", document, "an object with a first body");
   Encounter encounter;

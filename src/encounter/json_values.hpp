@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "stoss/encounter/visible.hpp"
 #include "stoss/errors.hpp"
 
 /// Values of a JSON document, or a refusal of one line.
@@ -16,10 +17,24 @@ namespace stoss::json {
 using Json = nlohmann::ordered_json;
 
 [[noreturn]] inline void refuse(const std::string& where, const Json& got, const std::string& allowed) {
-  constexpr std::size_t most = 60;
-  std::string text = got.dump();
-  if (text.size() > most) text = text.substr(0, most) + "...";
-  throw InvalidInput(where + ": got " + text + ", allowed " + allowed);
+  throw InvalidInput(where + ": got " + visible(shortened(got.dump())) + ", allowed " + allowed);
+}
+
+/// A document, nested so far only that what goes through it by recursion has room on any stack.
+inline Json parsed(const std::string& where, std::string_view text) {
+  constexpr int deepest = 32;
+  const auto is_shallow = [&where](int depth, Json::parse_event_t, const Json&) {
+    if (depth > deepest) {
+      throw InvalidInput(where + ": got values nested more than " + std::to_string(deepest) + " deep, allowed fewer");
+    }
+    return true;
+  };
+  try {
+    return Json::parse(text, is_shallow);
+  } catch (const Json::exception& error) {
+    constexpr std::size_t most = 200;
+    throw InvalidInput(where + ": got no JSON document, allowed one (" + visible(shortened(error.what(), most)) + ")");
+  }
 }
 
 inline double number(const std::string& where, const Json& value) {
@@ -30,6 +45,14 @@ inline double number(const std::string& where, const Json& value) {
 inline std::string word(const std::string& where, const Json& value, const std::string& allowed) {
   if (!value.is_string()) refuse(where, value, allowed);
   return value.get<std::string>();
+}
+
+/// A text for headers and messages, where a further line would be another thing.
+inline std::string line(const std::string& where, const Json& value, std::size_t most) {
+  const std::string allowed = "one line of at most " + std::to_string(most) + " bytes";
+  std::string text = word(where, value, allowed);
+  if (text.size() > most || visible(text) != text) refuse(where, value, allowed);
+  return text;
 }
 
 inline const Json& object(const std::string& where, const Json& value) {

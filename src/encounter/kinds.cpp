@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "stoss/bodies/disk/modes.hpp"
+#include "stoss/encounter/visible.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -137,7 +138,7 @@ const Kind& kind(std::string_view name) {
     if (each.name == name) return each;
     names += (names.empty() ? "" : ", ") + std::string(each.name);
   }
-  throw InvalidInput("kind: got '" + std::string(name) + "', allowed " + names);
+  throw InvalidInput("kind: got " + in_quotes(name) + ", allowed " + names);
 }
 
 const Parameter* parameter(const Kind& kind, std::string_view name) {

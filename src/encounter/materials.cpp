@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "stoss/encounter/visible.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -95,7 +96,7 @@ const Material& named_material(std::string_view name) {
     if (each.name == name) return each.material;
     names += (names.empty() ? "" : ", ") + std::string(each.name);
   }
-  throw InvalidInput("material: got '" + std::string(name) + "', allowed " + names + ", or numbers of your own");
+  throw InvalidInput("material: got " + in_quotes(name) + ", allowed " + names + ", or numbers of your own");
 }
 
 }  // namespace stoss

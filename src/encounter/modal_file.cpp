@@ -17,6 +17,7 @@ namespace {
 
 using namespace json;
 
+constexpr std::size_t longest_name = 200, longest_origin = 2000;  // bytes
 constexpr double turn = 2.0 * std::numbers::pi;
 
 void read_curvature(const std::string& where, const Json& given, ModalBody& body) {
@@ -72,19 +73,14 @@ void read_modes(const std::string& where, const Json& given, ModalBody& body) {
 }  // namespace
 
 ModalBody modal_body_from_json(std::string_view text, const std::string& where) {
-  Json given;
-  try {
-    given = Json::parse(text);
-  } catch (const Json::exception& error) {
-    throw InvalidInput(where + ": got no JSON document, allowed one (" + std::string(error.what()) + ")");
-  }
+  const Json given = parsed(where, text);
   require_format(where + " format", object(where, given).value("format", Json()), modal_body_format);
   require_keys(where, given,
                {"format", "name", "origin", "mass", "rotation", "curvature", "young", "poisson", "density", "loss_time",
                 "compliance", "compliance_error", "complete_to", "tangent", "modes"});
   ModalBody body;
-  if (given.contains("name")) body.name = word(where + " name", given["name"], "a name");
-  if (given.contains("origin")) body.origin = word(where + " origin", given["origin"], "a text");
+  if (given.contains("name")) body.name = line(where + " name", given["name"], longest_name);
+  if (given.contains("origin")) body.origin = line(where + " origin", given["origin"], longest_origin);
   body.mass = needed(where, given, "mass");
   read_rotation(where, given, body);
   read_curvature(where, given, body);

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "stoss/encounter/visible.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -61,8 +62,7 @@ struct Typed {
   const char* allowed;
 
   [[noreturn]] void refuse(const std::string& reason) const {
-    throw InvalidInput(std::string(name) + ": got '" + shortened(text) + "', " + reason + " (allowed: " + allowed +
-                       ")");
+    throw InvalidInput(std::string(name) + ": got " + in_quotes(text) + ", " + reason + " (allowed: " + allowed + ")");
   }
 };
 
@@ -96,7 +96,7 @@ Number number(const Typed& typed, std::string_view part) {
   part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
   part = part.substr(0, part.find_last_not_of(' ') + 1);
   if (part.empty()) typed.refuse("a number is missing");
-  const std::string which = part == typed.text ? "it" : "'" + shortened(part) + "'";
+  const std::string which = part == typed.text ? "it" : in_quotes(part);
 
   std::string_view rest = part;
   const bool negative = take_sign(rest);
@@ -173,7 +173,8 @@ std::vector<double> series(const Typed& typed, bool logarithmic) {
   const Number first = number(typed, parts[1]), last = number(typed, parts[2]);
   const double count = number(typed, parts[3]).value;
   if (count != std::floor(count) || count < 1 || count > longest_series) {
-    typed.refuse("n is " + shortened(parts[3]) + ", not a whole number from 1 to " + std::to_string(longest_series));
+    typed.refuse("n is " + visible(shortened(parts[3])) + ", not a whole number from 1 to " +
+                 std::to_string(longest_series));
   }
   if (logarithmic && (first.value <= 0.0 || last.value <= 0.0)) {
     typed.refuse("a logarithmic series needs ends above 0");
@@ -207,14 +208,6 @@ std::vector<double> parse_series(std::string_view name, std::string_view text) {
   std::vector<double> values;
   for (const std::string_view part : split(text, ',')) values.push_back(number(typed, part).value);
   return values;
-}
-
-std::string shortened(std::string_view text, std::size_t most) {
-  if (text.size() <= most) return std::string(text);
-  std::size_t end = most;
-  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };  // a UTF-8 character
-  while (end > 0 && continues(text[end])) --end;
-  return std::string(text.substr(0, end)) + "... (" + std::to_string(text.size()) + " bytes)";
 }
 
 }  // namespace stoss

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -16,7 +17,7 @@ namespace {
 /// The least relative tolerance there is: the error of 1 − ε², which may be 0, is asked for as such.
 constexpr double no_tolerance = 1e-15;
 
-Sample sample_of(long number, const Vibration& vibration, const Restitution& result) {
+Sample sample_of(std::int64_t number, const Vibration& vibration, const Restitution& result) {
   double energy = 0.0;
   for (const Oscillation& mode : vibration) energy += mode.energy;
   return {.number = number,
@@ -65,7 +66,7 @@ void restitution_distribution(const RefinableContact& contact, double speed, con
   validate(contact, speed, spectrum, options);
   const auto count = static_cast<std::size_t>(options.samples);
   const auto job = [&](std::size_t i, const Poll& heed) {
-    const long number = options.first + static_cast<long>(i);
+    const auto number = options.first + static_cast<std::int64_t>(i);
     const Vibration vibration = draw(spectrum, options.seed, static_cast<std::uint64_t>(number));
     const Restitution result = best_restitution(contact, speed,
                                                 {.tolerance = no_tolerance,

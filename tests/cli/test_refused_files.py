@@ -53,6 +53,8 @@ def changed(text, old, new):
         (lambda text: changed(text, "# stoss ", "# stoss 9"), "version of stoss"),
         (lambda text: changed(text, "# tolerance: 0.001\n", ""), "tolerance: got 0.001, allowed none"),
         (lambda text: changed(text, "# against", "# colour: red\n# against"), "colour: got none, allowed red"),
+        (lambda text: changed(text, "# against", "# a\0b: 1\n# against"), "a\\x00b: got none, allowed 1"),
+        (lambda text: changed(text, "# against", f"# {'a' * 9999}: 1\n# against"), "a... (9999 bytes): got none"),
         (lambda text: changed(text, "# against: ", "# against, "), "# against, wall"),
         (lambda text: changed(text, "max_force[piRE]", "max_force[N]"), "poisson,speed"),
         (lambda text: changed(text, "\n0.33,0.1,", "\n0.33,0.10000001,"), "row 1 of the file, allowed 0.33,0.1"),

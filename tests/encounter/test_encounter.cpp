@@ -7,6 +7,7 @@
 #include <string>
 
 #include "stoss/encounter/document.hpp"
+#include "stoss/encounter/visible.hpp"
 #include "stoss/quasistatic/yield.hpp"
 #include "stoss/restitution/restitution.hpp"
 #include "support/refusal.hpp"
@@ -144,6 +145,44 @@ TEST(EncounterDocument, IsRefusedInOneLine) {
   for (const char* text : {"", "[]", "1e999", "{\"first\":[]}", R"({"first":"wall"})", "\xff", R"({"first":{}})"}) {
     EXPECT_NE(said(text), "") << text;
     EXPECT_EQ(said(text).find('\n'), std::string::npos) << text;
+  }
+}
+
+// What fuzzers have found: fuzz/corpus has more of it.
+TEST(EncounterDocument, IsRefusedInALineThatCanBePrinted) {
+  const auto expect_printable = [](const std::string& text) {
+    const std::string said = test::message_of<InvalidInput>([&] { (void)encounter_from_json(text); });
+    EXPECT_EQ(visible(said), said);
+    EXPECT_LT(said.size(), 1000U);
+  };
+  const std::string long_word(100000, 'x'), cut_off = std::string(59, 'x') + "\u03b5\u03b5";
+  for (const std::string& word :
+       {std::string(R"(a\nb)"), std::string(R"(\u0000)"), std::string("\u2028"), long_word, cut_off}) {
+    expect_printable(R"({"first":{"kind":")" + word + "\"}}");
+    expect_printable(R"({"first":{"kind":"disk",")" + word + "\":1}}");
+    expect_printable(R"({"first":{"kind":"disk","poisson":")" + word + "\"}}");
+    expect_printable(R"({"first":{"kind":"disk","poisson":0.3,"radius":1,"material":")" + word + "\"}}");
+  }
+  expect_printable("{\"first\":\u03b5}");
+  expect_printable("{\"first\":\"\xff\"}");
+  expect_printable("{\"first\":" + std::string(100000, '9') + "e9}");
+}
+
+TEST(EncounterDocument, IsNotNestedDeeply) {
+  const std::string open(1000000, '['), close(1000000, ']');
+  const std::string first = R"({"first":{"kind":"disk","poisson":)";
+  test::expect_refusal([&] { (void)encounter_from_json(open); }, {"encounter", "nested"});
+  test::expect_refusal([&] { (void)encounter_from_json(open + close); }, {"encounter", "nested"});
+  test::expect_refusal([&] { (void)encounter_from_json(first + open + close + "}}"); }, {"encounter", "nested"});
+}
+
+TEST(EncounterDocument, KeepsWholeNumbers) {
+  const auto document = [](const std::string& order) {
+    return R"({"first":{"kind":"disk","poisson":0.3},"vibration":[{"index":0,"energy":0.1,"order":)" + order + "}]}";
+  };
+  EXPECT_EQ(encounter_from_json(document("2")).vibration.front().order, 2);
+  for (const char* order : {"4294967298", "-4294967294", "18446744073709551615", "2.0", "1e2"}) {
+    test::expect_refusal([&] { (void)encounter_from_json(document(order)); }, {"vibration order", "whole number"});
   }
 }
 

@@ -70,6 +70,10 @@ TEST(ModalFile, NamesWhatIsWrong) {
   refused({"modes frequency", "got none"}, [](Json& given) { given["modes"].erase("frequency"); });
   refused({"mass", "finite number"}, [](Json& given) { given["mass"] = "heavy"; });
   refused({"poisson"}, [](Json& given) { given["poisson"] = 0.6; });
+  // A line end would begin a further line of headers.
+  refused({"bell.json name", "one line"}, [](Json& given) { given["name"] = "bell\n0.1,0.9"; });
+  refused({"bell.json name", "one line"}, [](Json& given) { given["name"] = std::string(201, 'x'); });
+  refused({"bell.json origin", "one line"}, [](Json& given) { given["origin"] = "CAD\u2028file"; });
   refused({"mode 1 frequency"}, [](Json& given) { given["modes"]["frequency"][0] = -5.0; });
   test::expect_refusal([] { (void)modal_body_from_json("{"); }, {"JSON"});
   test::expect_refusal([] { (void)modal_body_from_json("[1]"); }, {"object"});

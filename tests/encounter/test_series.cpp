@@ -111,11 +111,5 @@ TEST(Series, WholeNumbers) {
             "nodes: got '3e9', it is too large" + allowed);
 }
 
-TEST(Series, LongTextsAreShortenedBetweenCharacters) {
-  EXPECT_EQ(shortened("abc", 3), "abc");
-  EXPECT_EQ(shortened("abcd", 3), "abc... (4 bytes)");
-  EXPECT_EQ(shortened("ab\u03b5d", 3), "ab... (5 bytes)");
-}
-
 }  // namespace
 }  // namespace stoss

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <variant>
 
@@ -17,7 +18,7 @@ void put(emscripten::val& all, const std::string& name, const Quantity<Result>& 
   using emscripten::val;
   const Value value = quantity.value(result);
   const auto* real = std::get_if<double>(&value);
-  const auto* count = std::get_if<long>(&value);
+  const auto* count = std::get_if<std::int64_t>(&value);
   if (real == nullptr && count == nullptr) return;
   const double number = real != nullptr ? *real : static_cast<double>(*count);
   val made = object({{"value", val(number * unit)}, {"unit", val(std::string(unit_name(quantity.dimension, system)))}});

@@ -29,7 +29,4 @@ inline constexpr int longest_series = 1'000'000;
 /// @throws InvalidInput
 [[nodiscard]] std::vector<double> parse_series(std::string_view name, std::string_view text);
 
-/// The beginning of a text that is longer than `most` bytes, and how long it is; a shorter one as it is. For messages.
-[[nodiscard]] std::string shortened(std::string_view text, std::size_t most = 60);
-
 }  // namespace stoss

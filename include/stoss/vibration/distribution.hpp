@@ -16,13 +16,13 @@ namespace stoss {
 /// Coefficient of restitution of one sample of an ensemble; `restitution` with the vibration that `draw` gives for its
 /// number repeats it, in every detail.
 struct Sample {
-  long number = 0;
+  std::int64_t number = 0;
   double vibration = 0.0;            ///< energy before the impact, of all modes, as a share of ½μv²
   Estimate restitution;              ///< ε, which may exceed 1; NaN where no two impacts end
   Estimate lost_fraction;            ///< 1 − ε², which may be negative
   Estimate contact_time;             ///< from first to last contact, R/c
   int contacts = 0;                  ///< separate periods of contact
-  long steps = 0;                    ///< of all runs
+  std::int64_t steps = 0;            ///< of all runs
   bool converged = false;            ///< whether the error of 1 − ε² is that asked for, or less
   bool beyond_small_strain = false;  ///< linear elasticity has lost its meaning (Impact)
   std::string reason;                ///< why it has not converged
@@ -34,9 +34,9 @@ using SampleObserver = std::function<void(const Sample&)>;
 
 /// Which samples of an ensemble are computed, and how accurately.
 struct DistributionOptions {
-  long first = 0;          ///< number of the first sample, 0 … 1e15: an ensemble can be continued
-  long samples = 1000;     ///< how many, 1 … 1 000 000
-  std::uint64_t seed = 0;  ///< of the ensemble
+  std::int64_t first = 0;       ///< number of the first sample, 0 … 1e15: an ensemble can be continued
+  std::int64_t samples = 1000;  ///< how many, 1 … 1 000 000
+  std::uint64_t seed = 0;       ///< of the ensemble
   double error = 1e-3;  ///< of 1 − ε² of each sample, 1e-9 … 0.5: absolute, as 1 − ε² may be 0 when bodies vibrate
   int threads = 0;  ///< 0: as many as the machine has; results do not depend on it
   Poll poll{};      ///< on the calling thread, at least every 50 ms

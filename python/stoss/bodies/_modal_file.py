@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import zipfile
@@ -16,19 +17,28 @@ Nested = Mapping[str, Collection[str]]
 """The names that are nested, by the name in which they are."""
 
 
+MOST = 64 << 20
+"""Bytes of a file, and of what an archive unpacks to; the command reads as much."""
+
+
 def read_document(path: str | os.PathLike[str], nested: Nested) -> Any:
     """What a file holds, in plain types: an NPZ file if it is a ZIP archive, else JSON."""
-    name = os.fspath(path)
-    with open(name, "rb") as stream:
-        packed = stream.read(2) == b"PK"
+    with open(path, "rb") as stream:
+        content = stream.read(MOST + 1)
+    if len(content) > MOST:
+        raise InvalidInput("body: got more than 64 MiB, allowed a file of modes at a point")
+    packed = content.startswith(b"PK")
     try:
-        if packed:
-            return _unpacked(name, nested)
-        with open(name, encoding="utf-8") as stream:
-            return json.load(stream)
-    except (ValueError, RecursionError, EOFError, zipfile.BadZipFile) as error:
+        return _unpacked(content, nested) if packed else json.loads(content.decode("utf-8"))
+    except Exception as error:  # there are no names for all that zipfile and NumPy find wrong with bytes
         kind = "an NPZ file of numbers and texts" if packed else "a JSON document"
-        raise InvalidInput(f"body: got none, allowed {kind} ({' '.join(str(error).split())})") from None
+        raise InvalidInput(f"body: got none, allowed {kind} ({_line(error)})") from None
+
+
+def _line(error: Exception) -> str:
+    """What is wrong, on one line that can be printed."""
+    text = " ".join(str(error).split())[:200]
+    return "".join(c if c.isprintable() else "?" for c in text) or type(error).__name__
 
 
 def write_document(path: str | os.PathLike[str], document: Mapping[str, Any], nested: Nested) -> None:
@@ -44,10 +54,13 @@ def write_document(path: str | os.PathLike[str], document: Mapping[str, Any], ne
         np.savez_compressed(temporary, **{key: np.asarray(each) for key, each in flat.items()})
 
 
-def _unpacked(name: str, nested: Nested) -> dict[str, Any]:
-    document: dict[str, Any] = {}
-    with np.load(name, allow_pickle=False) as file:
+def _unpacked(content: bytes, nested: Nested) -> dict[str, Any]:
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        if sum(each.file_size for each in archive.infolist()) > MOST:  # of which zipfile reads no more than that
+            raise ValueError("it unpacks to more than 64 MiB")
+    with np.load(io.BytesIO(content), allow_pickle=False) as file:
         arrays = {key: file[key] for key in file.files}
+    document: dict[str, Any] = {}
     for key, array in arrays.items():
         outer, _, inner = key.replace(".", "_", 1).partition("_")
         value = array.item() if array.ndim == 0 else array.tolist()

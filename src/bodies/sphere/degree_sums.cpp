@@ -145,7 +145,7 @@ void add_blocks(const DegreeSum& sum, const Eigen::ArrayXd& angle, long first, l
     }
     products.add(pair, legendre(n + 1.0), legendre(n - 1.0));
   };
-  const auto most = static_cast<long>(rule_phase / angle.maxCoeff());
+  const auto most = static_cast<long>(std::min(rule_phase / angle.maxCoeff(), 1e9));
   SumRule rule;
   long terms = 0;
   while (first <= nyquist) {

@@ -1,7 +1,7 @@
 // All inputs in the address of the page, in short readable keys: ?body=sphere&nu=0.3&v=0.01&against=half-space&nu2=0.2
 import type { Body, BodyFile, Encounter, Motion } from '../core/protocol';
 import { rounded, shortest } from '../drawing/numbers';
-import { motionProblem, parseNumber, repaired } from './check';
+import { brief, motionProblem, parseNumber, repaired } from './check';
 import { type Side, sidesOf } from './document';
 import { motionFieldsOf, motions, names } from './fields';
 import { fileNamed, standIn } from './files';
@@ -89,7 +89,7 @@ const mostTold = 3;
 function lineOf(problems: readonly string[]): string {
   if (problems.length === 0) return '';
   const more = problems.length - mostTold;
-  const told = problems.slice(0, mostTold).join('; ');
+  const told = problems.slice(0, mostTold).join('; ').replace(/[\p{C}\p{Zl}\p{Zp}]/gu, '�'); // no line ends or controls
   return `The link is used except for this, where the default applies: ${told}${more > 0 ? `; and ${more} more` : ''}.`;
 }
 
@@ -199,8 +199,4 @@ function decoded(text: string): string {
   } catch {
     return text;
   }
-}
-
-function brief(text: string): string {
-  return text.length > 24 ? `${text.slice(0, 24)}…` : text;
 }

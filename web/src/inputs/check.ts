@@ -16,11 +16,16 @@ export type Parsed = { value: number } | { problem: string };
 export function parseNumber(name: string, text: string): Parsed {
   const typed = text.trim().replaceAll('\u2212', '-');
   if (/^[+-]?\d*,\d+(e[+-]?\d+)?$/i.test(typed)) {
-    return { problem: `${name}: got “${typed}”, write it with a point: ${typed.replace(',', '.')}` };
+    return { problem: `${name}: got “${brief(typed)}”, write it with a point: ${brief(typed.replace(',', '.'))}` };
   }
   let value = 0;
   const problem = refusal(() => (value = numberOf(name, typed) || 0)); // not −0
   return problem === '' ? { value } : { problem };
+}
+
+/** The beginning of what may be long. */
+export function brief(text: string): string {
+  return text.length > 24 ? `${text.slice(0, 24)}…` : text;
 }
 
 /** The inputs that all fields which count stand for, and one line for every field that is wrong. A field whose text is

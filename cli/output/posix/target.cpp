@@ -20,11 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string sentence(const std::string& path, std::string_view why) {
-  const std::string place = path.empty() ? "to stdout" : fmt::format("'{}'", shortened(path, longest_path));
-  return fmt::format("output: cannot write {}: {}", place, why);
-}
-
 /// The number of a process and, where the system tells it, its command.
 std::string described(pid_t process) {
   if (process <= 0) return "another process";  // on another machine, or in another container
@@ -146,19 +141,6 @@ class Beside {
 constexpr int flags = O_RDWR | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;
 
 }  // namespace
-
-void cannot_write(const std::string& path, std::string_view why) { throw OutputError(sentence(path, why)); }
-
-void cannot_write(const std::string& path, int reason) {
-  throw OutputError(sentence(path, std::strerror(reason)), reason);
-}
-
-fs::path behind_links(fs::path path) {
-  constexpr int most = 40;  // of a loop
-  std::error_code none;
-  for (int i = 0; i < most && fs::is_symlink(path, none); ++i) path = path.parent_path() / fs::read_symlink(path, none);
-  return path;
-}
 
 Target::Target(const std::string& path) : path_(path), file_(behind_links(path)) {
   struct stat status {};

@@ -1,0 +1,65 @@
+#include "process/system.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+
+#include "output/output.hpp"
+#include "process/process.hpp"
+
+namespace stoss::cli {
+namespace {
+
+std::atomic<int> noted = 0;
+static_assert(std::atomic<int>::is_always_lock_free);  // so that a signal handler may write it
+
+void note(int number) { noted = number; }
+
+}  // namespace
+
+void prepare_streams() {
+  // A closed descriptor 0, 1 or 2 would become that of the next file that is opened. On 1 and 2, writing fails as it
+  // did.
+  for (int descriptor = 0; descriptor <= 2; ++descriptor) {
+    if (fcntl(descriptor, F_GETFD) == -1) (void)open("/dev/null", O_RDONLY);
+  }
+  (void)std::signal(SIGXFSZ, SIG_IGN);  // a file that must not grow is then an error of writing
+}
+
+bool stderr_is_terminal() { return isatty(STDERR_FILENO) != 0; }
+
+void show(std::string_view text) noexcept {
+  // A reader of stderr that has gone must not end the computation.
+  const auto before = std::signal(SIGPIPE, SIG_IGN);
+  (void)std::fwrite(text.data(), 1, text.size(), stderr);
+  (void)std::signal(SIGPIPE, before);
+}
+
+void catch_interrupts() {
+  struct sigaction action {};
+  action.sa_handler = note;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+int interrupted() { return noted; }
+
+void become(const std::vector<std::string>& words) {
+  std::vector<std::string> all = words;
+  std::vector<char*> pointers;
+  pointers.reserve(all.size() + 1);
+  for (std::string& word : all) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  execvp(pointers.front(), pointers.data());
+  throw OutputError(
+      fmt::format("Python: cannot run {}, whose package stoss does this: {}", words.front(), std::strerror(errno)));
+}
+
+}  // namespace stoss::cli

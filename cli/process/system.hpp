@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What each operating system does in its own way: `posix/`, and `windows/`, of which one is compiled.
+namespace stoss::cli {
+
+/// Makes stdin, stdout and stderr what the rest takes them for, first of all.
+void prepare_streams();
+
+/// Whether somebody sees what is written on stderr as it comes.
+[[nodiscard]] bool stderr_is_terminal();
+
+/// Writes on stderr as it is, without a line end. If that cannot be written, it is lost and nothing else changes.
+void show(std::string_view text) noexcept;
+
+/// Becomes the program that these words call, the first of which is its name.
+/// @throws OutputError if it cannot be run
+[[noreturn]] void become(const std::vector<std::string>& words);
+
+}  // namespace stoss::cli

@@ -1,0 +1,11 @@
+# Linux on IBM Z: 64 bits, the byte of the highest value first. Programs run under qemu-user.
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR s390x)
+set(CMAKE_CXX_COMPILER s390x-linux-gnu-g++)
+set(CMAKE_C_COMPILER s390x-linux-gnu-gcc)
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-static")
+find_program(STOSS_EMULATOR qemu-s390x)
+if(STOSS_EMULATOR)
+  set(CMAKE_CROSSCOMPILING_EMULATOR ${STOSS_EMULATOR})
+endif()
+set(CMAKE_PROJECT_stoss_INCLUDE ${CMAKE_CURRENT_LIST_DIR}/headers.cmake)

@@ -1,0 +1,11 @@
+# Windows on 64-bit x86 by mingw-w64 with POSIX threads. Programs run under Wine, if it is there.
+set(CMAKE_SYSTEM_NAME Windows)
+set(CMAKE_SYSTEM_PROCESSOR x86_64)
+set(CMAKE_CXX_COMPILER x86_64-w64-mingw32-g++-posix)
+set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-static")
+find_program(STOSS_EMULATOR wine)
+if(STOSS_EMULATOR)
+  set(CMAKE_CROSSCOMPILING_EMULATOR ${STOSS_EMULATOR})
+endif()
+set(CMAKE_PROJECT_stoss_INCLUDE ${CMAKE_CURRENT_LIST_DIR}/headers.cmake)
