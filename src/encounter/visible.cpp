@@ -65,6 +65,10 @@ std::string visible(std::string_view text, const std::function<std::string(unsig
   return line;
 }
 
-std::string in_quotes(std::string_view text) { return "'" + visible(shortened(text)) + "'"; }
+std::string in_quotes(std::string_view text) {
+  std::string quoted(1, '\'');
+  quoted += visible(shortened(text));
+  return quoted += '\'';
+}
 
 }  // namespace stoss

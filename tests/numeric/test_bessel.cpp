@@ -147,7 +147,8 @@ INSTANTIATE_TEST_SUITE_P(Centers, BesselTaylorAt, ::testing::Values(1.0, 1.5, 5.
 
 TEST(BesselJ01, IsGoodToRounding) {
   for (const double x :
-       {0.0, 1e-9, 0.5, 2.404825557695773, 4.0, 7.9, 8.0, 12.5, 24.99, 25.0, 25.01, 40.0, 333.0, 1e5}) {
+       {0.0,  1e-9, 0.06,   0.0625, 0.07,  0.18,  0.5, 2.404825557695773, 3.5628, 5.3137, 8.0, 12.5, 24.99,
+        25.0, 40.0, 127.93, 127.94, 128.0, 333.0, 1e5}) {
     const auto [zeroth, first] = bessel_j01(x);
     const auto exact = static_cast<long double>(x);
     EXPECT_NEAR(zeroth, static_cast<double>(boost::math::cyl_bessel_j(0, exact)), 1e-15) << x;

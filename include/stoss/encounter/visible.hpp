@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "stoss/cxx20.hpp"
+
 /// Text of others in messages of one line: whatever it is, what comes back is printable UTF-8.
 namespace stoss {
 
