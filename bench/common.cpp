@@ -25,6 +25,18 @@ void count_apart(benchmark::State& state, double lost_fraction, double converged
   state.counters[apart_counter] = 1.0;
 }
 
+void count_work(benchmark::State& state, const stoss::RefinableContact& contact, double at,
+                const stoss::Restitution& result) {
+  double work = 0.0;
+  for (const stoss::Run& run : result.runs) {
+    const stoss::Contact& resolved = contact.at(run.cutoff, contact.stretch(at), {});
+    double modes = static_cast<double>(stoss::mode_count(*resolved.first));
+    if (resolved.second != nullptr) modes += static_cast<double>(stoss::mode_count(*resolved.second));
+    work += static_cast<double>(run.steps) * modes * run.resolution.nodes;
+  }
+  state.counters[work_counter] = work;
+}
+
 double time_values(benchmark::State& state, const stoss::BodyMaker& body, double at,
                    const stoss::RestitutionOptions& options) {
   const stoss::Restitution first = stoss::restitution(body, at, options);
@@ -35,6 +47,7 @@ double time_values(benchmark::State& state, const stoss::BodyMaker& body, double
     state.ResumeTiming();
     benchmark::DoNotOptimize(stoss::restitution(contact, at, options).lost_fraction.value);
   }
+  count_work(state, stoss::RefinableContact(body), at, first);
   return first.lost_fraction.value;
 }
 

@@ -33,11 +33,15 @@ inline constexpr const char* rival_counter = "rival";      ///< of the oblique i
 inline constexpr const char* answers_counter = "answers";  ///< how many times the rival would run
 inline constexpr const char* quoted_from_counter = "finite elements from [s]";
 inline constexpr const char* quoted_to_counter = "finite elements to [s]";
+inline constexpr const char* work_counter = "multiply-adds";
+inline constexpr const char* peak_counter = "peak";  ///< of the machine
 
 /// The disk with all modes up to a cutoff, made once.
 const stoss::Body& disk_body(double cutoff);
 
-/// Times `restitution` of a body at a wall, modes made before, and nothing else that impacts share. @return 1 − ε²
+/// Times `restitution` of a body at a wall, modes made before, and nothing else that impacts share, and counts its
+/// work.
+/// @return 1 − ε²
 double time_values(benchmark::State& state, const stoss::BodyMaker& body, double at,
                    const stoss::RestitutionOptions& options);
 
@@ -52,8 +56,14 @@ void add(const std::string& name, Function function) {
 void count(benchmark::State& state, double lost_fraction);
 void count_apart(benchmark::State& state, double lost_fraction, double converged);
 
+/// Counter of the work of a result, Σ steps × modes × points over its runs: what its physics asks for at least as long
+/// as every mode is moved by the force at every point in every step.
+void count_work(benchmark::State& state, const stoss::RefinableContact& contact, double at,
+                const stoss::Restitution& result);
+
 // One for each file bench_*.cpp; the reference comes first.
 void add_paper();
+void add_peak();
 void add_modes();
 void add_impacts();
 void add_restitutions();

@@ -19,6 +19,7 @@ struct Row {
   bool sphere = false;
   std::optional<double> tangential;              ///< ε_t of an oblique impact, whose ratio is that to the last rival's
   std::optional<double> quoted_from, quoted_to;  ///< a rival's time in seconds, as quoted
+  std::optional<double> of_peak;                 ///< work per time over the machine's peak
 };
 
 /// Prints the medians as they come, with the ratio of times as a counter, and keeps them.
@@ -40,6 +41,7 @@ class Summary final : public benchmark::ConsoleReporter {
 
   std::vector<Row> rows_;
   double rival_ = 0.0;  // milliseconds
+  double peak_ = 0.0;   // multiply–adds in a millisecond
   bool failed_ = false;
 };
 

@@ -12,10 +12,10 @@ namespace stoss {
 /// The beginning of a text that is longer than `most` bytes, and how long it is; a shorter one as it is.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t most = 60);
 
-/// The text on one line: control characters, and bytes that are no UTF-8, as \n or \x1b.
+/// The text on one line: control characters, and bytes that are no UTF-8, as `\n` or `\x1b`.
 [[nodiscard]] std::string visible(std::string_view text);
 
-/// The same with another code than \x1b for what has no letter. @param code of a byte
+/// The same with another code than `\x1b` for what has no letter. @param code of a byte
 [[nodiscard]] std::string visible(std::string_view text, const std::function<std::string(unsigned char byte)>& code);
 
 /// The beginning of the text on one line, in quotation marks.

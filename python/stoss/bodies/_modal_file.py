@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import json
 import os
-import zipfile
 from typing import Any, Collection, Mapping
 
 import numpy as np
@@ -55,6 +54,8 @@ def write_document(path: str | os.PathLike[str], document: Mapping[str, Any], ne
 
 
 def _unpacked(content: bytes, nested: Nested) -> dict[str, Any]:
+    import zipfile  # slow to import
+
     with zipfile.ZipFile(io.BytesIO(content)) as archive:
         if sum(each.file_size for each in archive.infolist()) > MOST:  # of which zipfile reads no more than that
             raise ValueError("it unpacks to more than 64 MiB")

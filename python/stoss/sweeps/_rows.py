@@ -79,7 +79,7 @@ def _stored(file: Path, lines: Iterable[bytes], layout: Layout, mix: bool) -> It
                     raise ValueError
                 point = tuple(map(float, others[: len(layout.axes)]))
                 yield Stored(key, point, tuple(map(_value, layout.kinds, others[len(layout.axes) :])), version)
-        except (ValueError, KeyError):
+        except (ValueError, KeyError, RecursionError):
             raise _damaged(file, number, line) from None
 
 

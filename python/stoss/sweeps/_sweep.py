@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import concurrent.futures
 import contextlib
 import os
 import warnings
-from typing import Any, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, Iterator, Mapping
 
 import numpy as np
 
@@ -17,6 +16,9 @@ from stoss.sweeps._grid import Grid
 from stoss.sweeps._tasks import Task, compute, missing, parts_of, tasks_of
 from stoss.sweeps._values import Sweep, values_of
 from stoss.sweeps._worker import flush
+
+if TYPE_CHECKING:
+    import concurrent.futures
 
 
 def sweep(
@@ -98,7 +100,9 @@ def _opened(given: Any) -> Iterator[Any]:
     count = integer("executor", given)
     if not 1 <= count <= 1024:
         raise refusal("executor", given, "None, 1 to 1024 processes, or an executor")
-    with concurrent.futures.ProcessPoolExecutor(count) as pool:
+    from concurrent.futures import ProcessPoolExecutor  # slow to import
+
+    with ProcessPoolExecutor(count) as pool:
         yield pool
 
 

@@ -8,7 +8,6 @@ import fcntl
 import json
 import os
 import re
-import socket
 import threading
 import time
 from pathlib import Path
@@ -35,7 +34,7 @@ class Worker:
         version, OSError if it cannot be written.
         """
         self._layout = layout
-        own = f"worker-{re.sub(r'[^A-Za-z0-9]', '-', socket.gethostname())}-{threading.get_native_id()}"
+        own = f"worker-{re.sub(r'[^A-Za-z0-9]', '-', os.uname().nodename)}-{threading.get_native_id()}"
         for number in range(1, 1000):
             self.file = path / f"{name or own}{f'-{number}' if number > 1 else ''}.csv"
             self._descriptor = os.open(self.file, os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o666)
