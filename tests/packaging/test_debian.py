@@ -28,8 +28,8 @@ def run(*words, timeout=600, **options):
 @pytest.fixture(scope="module")
 def built():
     """What `make deb` says: of it all that does not touch the environment build/venv, which other tests use."""
-    run("scripts/docs.sh", timeout=1800)
-    return run("scripts/deb.sh", timeout=3000)
+    run("scripts/docs.sh", timeout=3600)
+    return run("scripts/deb.sh", timeout=5400)
 
 
 @pytest.fixture(scope="module")
@@ -156,7 +156,7 @@ def test_packages_work_in_a_debian_that_has_nothing_else(packages):
         mounted = 'mount -t proc proc "$0/proc" && exec "$@"'
         done = subprocess.run(
             ["unshare", "--mount", "sh", "-c", mounted, str(CHROOT), *tests],
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=3000,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=7200,
             # Tests there send this signal, which shells may ignore.
             preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
         )
