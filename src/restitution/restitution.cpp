@@ -22,6 +22,7 @@ namespace {
 constexpr int first_runs = 3;  // two that agree by chance say nothing
 constexpr std::array first_rungs{4, 2};
 constexpr std::array first_rungs_with_half_space{2, 2};  // of which few waves are enough
+constexpr std::array first_rungs_of_vibration{3, 2};     // above the modes that vibrate already
 constexpr int most_rungs = 4;       // a run far above all others would find the differences from them without weight
 constexpr double aim = 0.9;         // of the tolerance: one run too fine costs less than another run
 constexpr double affordable = 2e8;  // of `work`, less than a second: what a run without hope may cost
@@ -156,7 +157,9 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   result.tolerance = options.tolerance;
   result.absolute = options.absolute;
   std::optional<Reached> first;
-  const auto& rungs = contact.at(0, options.poll).unbounded ? first_rungs_with_half_space : first_rungs;
+  const auto& rungs = contact.at(0, options.poll).unbounded ? first_rungs_with_half_space
+                      : options.vibration.empty()           ? first_rungs
+                                                            : first_rungs_of_vibration;
   Outlook next{rungs.front(), 0.0, 0.0, true};
   const CurvatureCorrection correction = curvature_correction(contact, speed, options.poll);
   std::string trouble;
