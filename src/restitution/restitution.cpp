@@ -169,7 +169,10 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   const double energy = whole_energy(options.vibration);
   const int lowest = lowest_level(contact, options.vibration, levels, options.poll);
   for (int level = lowest; level <= highest && next.worthwhile; level += next.rungs) {
-    if (options.attempt_observer) options.attempt_observer({contact.cutoff(level), result.lost_fraction});
+    if (options.attempt_observer) {
+      const bool told = result.runs.size() >= first_runs;
+      options.attempt_observer({contact.cutoff(level), told ? result.lost_fraction : Estimate{}});
+    }
     try {
       const auto compute = [&](const Contact& resolved) {
         const Resolution resolution = refined_resolution(resolved, speed, result.finest.max_half_width);
