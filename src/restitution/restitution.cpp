@@ -24,7 +24,7 @@ constexpr int first_runs = 3;       // two that agree by chance say nothing
 constexpr int least_third = 2;      // rungs to the third run: closer ones agree by chance
 constexpr int most_rungs = 4;       // a run far above all others would find the differences from them without weight
 constexpr double aim = 0.9;         // of the tolerance: one run too fine costs less than another run
-constexpr double affordable = 2e8;  // of `work`, less than a second: what a run without hope may cost
+constexpr double affordable = 3e8;  // of `work`, some 0.2 s: what a run without hope may cost
 
 /// @param energy initial energy of an impact, over that of the translation
 Run summary(const Impact& impact, double energy) {
