@@ -1,7 +1,7 @@
 # The short way in. Everything here can also be done with the CMake presets (cmake --list-presets).
 .DEFAULT_GOAL := help
-.PHONY: help setup build python modal-tools demo web web-serve wheel npm static test test-fast test-long coverage systems bench validate results docs paper paper-quick format lint \
-	install uninstall clean
+.PHONY: help setup build python modal-tools demo web web-serve wheel npm static deb test test-fast test-long coverage systems bench \
+	validate results docs paper paper-quick format lint install uninstall clean
 
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
@@ -122,6 +122,10 @@ install: build ## install to PREFIX (default /usr/local)
 
 uninstall: ## remove from PREFIX what `make install` put there
 	@scripts/uninstall.sh "$(PREFIX)"
+
+deb: $(if $(findstring nodoc,$(DEB_BUILD_PROFILES)),,docs) ## Debian packages, checked by lintian: build/deb (DEB_BUILD_PROFILES=nodoc: all but stoss-doc)
+	@scripts/install-dependencies.sh deb
+	@scripts/deb.sh $(JOBS)
 
 clean: ## remove build and output folders
 	@rm -rf build out

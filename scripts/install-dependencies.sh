@@ -3,7 +3,7 @@
 # argument `build` only those for the library and the command, with `python` also those for the Python package, with
 # `test` also those of `make test`; with `long` besides all of them Yade, a gigabyte, and compilers for other systems, for
 # `make test-long`.
-# With `modal` those of the package and of `python -m stoss.modal`.
+# With `modal` those of the package and of `python -m stoss.modal`; with `deb` those of `make deb`.
 # Where that is not possible it names what is missing and stops with an error.
 set -euo pipefail
 
@@ -45,6 +45,12 @@ if [ "$what" = all ] || [ "$what" = long ]; then
 fi
 
 [ "$what" != long ] || packages+=(yade)
+
+# Debian packages; before a release they are installed and tested in a fresh Debian.
+if [ "$what" = deb ] || [ "$what" = long ]; then
+  packages+=(build-essential debhelper dh-python dpkg-dev lintian sphinx-common)
+fi
+[ "$what" != long ] || packages+=(autopkgtest debootstrap)
 
 # Other systems (scripts/systems.sh).
 if [ "$what" = long ]; then

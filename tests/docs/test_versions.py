@@ -19,6 +19,7 @@ def read(name):
 def test_whatever_names_the_version_names_this_one():
     assert re.search(r"^version: (\S+)$", read("CITATION.cff"), re.MULTILINE)[1] == VERSION
     assert re.search(r"^## \[?(\d\S*?)\]?( |$)", read("CHANGELOG.md"), re.MULTILINE)[1] == VERSION
+    assert read("debian/changelog").startswith(f"stoss ({VERSION}-")
     assert f"stoss {VERSION} follows" in page("docs/versions.md")[0]
     for header in ("include/stoss/stoss.h", "include/stoss/version.hpp"):
         assert f'as in "{VERSION}"' in read(header), header
@@ -40,6 +41,7 @@ def test_packages_read_the_version_from_the_project():
 def test_the_number_of_the_shared_library_is_its_own_and_is_documented():
     assert re.search(r"\n  SOVERSION \$\{STOSS_SOVERSION\}\)", PROJECT)
     assert f"`libstoss.so.{SOVERSION}`" in page("docs/versions.md")[0]
+    assert f"\nPackage: libstoss{SOVERSION}\n" in read("debian/control")
 
 
 def test_the_changelog_begins_with_what_to_change():
