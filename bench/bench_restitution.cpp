@@ -38,7 +38,7 @@ void add_tolerance(double tolerance, const Case& at) {
   });
 }
 
-/// Modes made before, and what impacts at one speed share.
+/// Modes made before, and what impacts at neighbouring speeds share.
 void add_shared() {
   add("restitution to 0.001, set-up shared", [](benchmark::State& state) {
     const stoss::RefinableContact contact(stoss::disk(poisson));

@@ -4,8 +4,8 @@
 include(CheckCXXCompilerFlag)
 include(CheckLinkerFlag)
 
-# WebAssembly has none of it.
-if(EMSCRIPTEN)
+# WebAssembly has none of it; programs for Windows are no ELF, and would need a library more.
+if(EMSCRIPTEN OR WIN32)
   return()
 endif()
 

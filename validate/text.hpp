@@ -39,7 +39,7 @@ The promise is for 1 − ε², and with it for ε. The other quantities must mee
 too. The contact time is counted in steps; the time of the impulse, between 1 % and 99 % of it, is
 not. The maximum force may be that of a short peak when a wave returns, which impacts at low cutoffs
 lack; no difference between them reveals its absence (ν = 0.98, v = 0.085: 0.038 up to the cutoff
-32, 0.043 from 91). Because such a peak may exist, the error of the maximum force is 17 to 95 times
+32, 0.043 from 91). Because such a peak may exist, the error of the maximum force is 17 to 82 times
 the true one where there is none.
 
 The points are spaced evenly in log v, so few are fast. Of another 120 with 0.1 < v < 0.6, 98, 92,

@@ -3,7 +3,7 @@
 >>> import stoss
 >>> disk = stoss.Disk(poisson=0.33)
 >>> stoss.restitution(disk, speed=0.1)
-Restitution(poisson=0.33, speed=0.1 c: restitution 0.947060 ± 0.000031)
+Restitution(poisson=0.33, speed=0.1 c: restitution 0.947042 ± 0.000038)
 
 A body comes first, all other arguments are named; those out of range are refused with
 `InvalidInput` before anything is computed. Units are those of the first body: radius R, bar

@@ -13,8 +13,8 @@ SetUp make_set_up(const Contact& contact, const ContactGrid& grid, ResidualMotio
 
 std::shared_ptr<const SetUp> SetUps::of(const Contact& contact, const ContactGrid& grid,
                                         ResidualMotion::Inertia inertia, double step, const Poll& poll) {
-  // Some eight matrices between the nodes each: 4 MB are 16 set-ups of 64 nodes.
-  constexpr std::size_t most_entries = std::size_t{4} << 20U, entry = 8 * sizeof(double);
+  // Some eight matrices between the nodes each: 16 MB are 60 set-ups of 64 nodes.
+  constexpr std::size_t most_entries = std::size_t{16} << 20U, entry = 8 * sizeof(double);
   const Key key{contact.first.get(), contact.second.get(), contact.cutoff, contact.radius,
                 grid.points.spacing, grid.points.count,    inertia,        step};
   const auto find = [&] {

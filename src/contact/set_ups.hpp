@@ -24,8 +24,8 @@ struct SetUp {
 [[nodiscard]] SetUp make_set_up(const Contact& contact, const ContactGrid& grid, ResidualMotion::Inertia inertia,
                                 double step, const Poll& poll);
 
-/// The set-ups that impacts at a contact have needed last: one takes as long as many steps, and the angles of one speed
-/// and the first runs of the samples of an ensemble need the same. Any number of threads may ask.
+/// The set-ups that impacts at a contact have needed last: one takes as long as many steps, and neighbouring speeds and
+/// the samples of an ensemble need the same. Any number of threads may ask.
 class SetUps {
  public:
   /// The set-up of a contact, which is kept.

@@ -15,6 +15,12 @@ double asked(const Sampling& sampling, double cutoff, double half_width) {
                   sampling.along_edge * cutoff * std::sqrt(half_width));
 }
 
+/// The nearest of half-widths of a fixed ratio, so that neighbouring impacts have the same grid (SetUps).
+double in_steps(const Contact& contact, double half_width) {
+  constexpr double steps = 64.0;
+  return contact.radius * std::exp2(std::round(steps * std::log2(half_width / contact.radius)) / steps);
+}
+
 int fewest_nodes(const Contact& contact) {
   const int first = contact.first->sampling.fewest;
   return contact.second == nullptr ? first : std::max(first, contact.second->sampling.fewest);
@@ -52,7 +58,7 @@ Resolution refined_resolution(const Contact& contact, double speed, double half_
   // A coarser run shows how far the contact spreads. The edge law needs room beyond it: most of two spacings.
   constexpr double margin = 1.06, spacings = 2.0;
   constexpr int fewest = 16;
-  const double width = half_width > 0.0 ? half_width : initial_half_width(contact, speed);
+  const double width = in_steps(contact, half_width > 0.0 ? half_width : initial_half_width(contact, speed));
   const double wanted = std::max<double>(sampled_nodes(contact, width), fewest);
   resolution.half_width = std::min(width * std::max(margin, 1.0 + spacings / wanted), greatest_half_width(contact));
   const double nodes = std::max(wanted, 1.02 * nyquist_nodes(contact, *resolution.half_width));

@@ -16,7 +16,8 @@ struct Bar {
   double order;   ///< at which it falls with the cutoff, at most
   double safety;  ///< by which the maximum difference is multiplied
 };
-constexpr Bar rough{1.5, 4.0};       // an instant, and the peak of a force that jumps about
+constexpr Bar instant{1.5, 5.0};     // at which waves open or close the contact once more
+constexpr Bar rough{1.5, 4.0};       // the peak of a force that jumps about
 constexpr Bar last_touch{1.0, 4.0};  // of a ball that a plate follows: short waves delay it
 constexpr Bar smooth{2.0, 6.0};      // what is integrated twice, or between two parts of the impulse
 
@@ -166,7 +167,7 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
   };
   // An instant is known to half a step at either end, and so are the parts of an impulse that begins with a jump.
   const double instants = (contact.gives_way ? 2.0 : 1.0) * last.resolution.step;
-  result.contact_time = estimate(contact.gives_way ? last_touch : rough, &Run::contact_time, instants);
+  result.contact_time = estimate(contact.gives_way ? last_touch : instant, &Run::contact_time, instants);
   result.impulse_time = estimate(smooth, &Run::impulse_time, at_a_point ? last.resolution.step : 0.0);
   const double beyond = std::max(focus * std::sqrt(std::max(0.0, last.unresolved)), at_a_point ? overshoot : 0.0);
   result.max_force = estimate(rough, &Run::max_force, beyond * last.max_force);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "check.hpp"
+#include "contact/touch.hpp"
 #include "impact/recommended.hpp"
 #include "impact/whole_bodies.hpp"
 #include "restitution/curvature.hpp"
@@ -19,12 +20,11 @@
 namespace stoss {
 namespace {
 
-constexpr int first_runs = 3;  // two that agree by chance say nothing
-constexpr std::array first_rungs{4, 2};
-constexpr std::array first_rungs_with_half_space{2, 2};  // of which few waves are enough
+constexpr int first_runs = 3;       // two that agree by chance say nothing
+constexpr int least_third = 2;      // rungs to the third run: closer ones agree by chance
 constexpr int most_rungs = 4;       // a run far above all others would find the differences from them without weight
 constexpr double aim = 0.9;         // of the tolerance: one run too fine costs less than another run
-constexpr double affordable = 2e8;  // of `work`, less than a second: what a run without hope may cost
+constexpr double affordable = 3e8;  // of `work`, some 0.2 s: what a run without hope may cost
 
 /// @param energy initial energy of an impact, over that of the translation
 Run summary(const Impact& impact, double energy) {
@@ -86,6 +86,13 @@ double falling_order(const Reached& first, const Reached& last, double expected)
   if (last.cutoff < 2.0 * first.cutoff) return expected;
   const double observed = std::log(first.error / last.error) / std::log(last.cutoff / first.cutoff);
   return std::clamp(observed, 0.2 * expected, expected);
+}
+
+/// Rungs from the first run to the second: few waves are enough on a half-space, and at the circle where a ball
+/// touches.
+int second_rung(const Contact& contact) {
+  if (contact.unbounded) return 2;
+  return touch(contact).circle ? 3 : most_rungs;
 }
 
 /// What a run asks of the machine: its steps, times the modes and the entries of the matrices between the nodes. A
@@ -156,14 +163,16 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   result.tolerance = options.tolerance;
   result.absolute = options.absolute;
   std::optional<Reached> first;
-  const auto& rungs = contact.at(0, options.poll).unbounded ? first_rungs_with_half_space : first_rungs;
-  Outlook next{rungs.front(), 0.0, 0.0, true};
+  Outlook next{second_rung(contact.at(0, options.poll)), 0.0, 0.0, true};
   const CurvatureCorrection correction = curvature_correction(contact, speed, options.poll);
   std::string trouble;
   const double energy = whole_energy(options.vibration);
   const int lowest = lowest_level(contact, options.vibration, levels, options.poll);
   for (int level = lowest; level <= highest && next.worthwhile; level += next.rungs) {
-    if (options.attempt_observer) options.attempt_observer({contact.cutoff(level), result.lost_fraction});
+    if (options.attempt_observer) {
+      const bool told = result.runs.size() >= first_runs;
+      options.attempt_observer({contact.cutoff(level), told ? result.lost_fraction : Estimate{}});
+    }
     try {
       const auto compute = [&](const Contact& resolved) {
         const Resolution resolution = refined_resolution(resolved, speed, result.finest.max_half_width);
@@ -182,11 +191,14 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
     trouble.clear();
     result.runs.push_back(summary(result.finest, energy));
     result.steps += result.finest.steps;
+    if (result.runs.size() < 2) continue;
+    conclude(at_level(contact, level, options.poll), speed, correction, result);
     if (result.runs.size() < first_runs) {
-      next.rungs = rungs[result.runs.size() - 1];
+      const Reached reached{result.runs.back().cutoff, scaled_error(result)};
+      next.rungs = std::max(outlook(result, reached, order, contact.cutoff(highest)).rungs, least_third);
+      next.rungs = std::min(next.rungs, std::max(highest - level, least_third));
       continue;
     }
-    conclude(at_level(contact, level, options.poll), speed, correction, result);
     if (result.converged) {
       add_doubts(contact, speed, stretch, options, result);
       return result;

@@ -50,12 +50,12 @@ TEST(SetUps, BelongToOneGridAndStep) {
 
 TEST(SetUps, TheOldestGoFirst) {
   const Contact contact = contacts().front();
-  const ContactGrid grid = contact_grid(contact, 0.4, 128);
+  const ContactGrid grid = contact_grid(contact, 0.4, 256);
   const auto oldest = contact.set_ups->of(contact, grid, ResidualMotion::Inertia::none, 0.02, {});
   for (int other = 1; other <= 4; ++other) {
     static_cast<void>(contact.set_ups->of(contact, grid, ResidualMotion::Inertia::none, 0.02 / (1 + other), {}));
   }
-  EXPECT_EQ(oldest.use_count(), 1);  // ours: 4 MB hold four of 128 nodes
+  EXPECT_EQ(oldest.use_count(), 1);  // ours: 16 MB hold four of 256 nodes
 }
 
 TEST(SetUps, CurvesDoNotDependOnTheirSpeedsOrThreads) {

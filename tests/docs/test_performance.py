@@ -32,16 +32,16 @@ def rounded(value, shown):
     return abs(float(shown) - value) <= 0.5001 * 10.0**-digits
 
 
-@pytest.mark.parametrize("name", [name for name, cells in MS.items() if len(cells) == 4 and cells[3] != "–"])
+@pytest.mark.parametrize("name", [name for name, cells in MS.items() if len(cells) >= 4 and cells[3] != "–"])
 def test_ratios_to_the_paper(name):
     time, ratio = float(MS[name][0]), float(MS[name][3])
     assert ratio == pytest.approx(PROTOCOL / time, abs=0.006, rel=2.5e-3)
 
 
 def test_before_and_after():
-    for name, *cells in rows("ms | 0.1"):
-        before, after, ratio = map(float, cells[:3])
-        assert before / after == pytest.approx(ratio, abs=0.06 + 0.005 * ratio), name
+    for name, *cells in rows("before and after"):
+        before, after, ratio = map(float, cells)
+        assert after / before == pytest.approx(ratio, abs=0.011), name
 
 
 def limits(column):
@@ -60,8 +60,8 @@ def test_errors_against_times():
                  "2·10⁻⁵": "hard wall, radiating, cutoff 50", "7·10⁻⁶": "hard wall, radiating, cutoff 50",
                  "2·10⁻⁶": "hard wall, as restitution resolves it, cutoff 64"}  # fmt: skip
     assert all(rounded(ms(name), limits(5)[error]) for error, name in by_impact.items())
-    converged = {"7·10⁻⁴": "0.01", "1·10⁻⁴": "0.001", "2·10⁻⁵": "0.001", "7·10⁻⁶": "0.0001", "2·10⁻⁶": "0.0001"}
-    assert all(rounded(ms(f"restitution to {to}"), limits(7)[error]) for error, to in converged.items())
+    converged = {"7·10⁻⁴": "0.01", "1·10⁻⁴": "0.001", "2·10⁻⁵": "0.0001", "7·10⁻⁶": "0.0001"}
+    assert all(rounded(ms(f"restitution to {to}"), limits(6)[error]) for error, to in converged.items())
     best = ms("restitution to 0.01")
     assert f"takes {two:.0f} ms with the modes, steps and inner loops of stoss" in WORDS
     assert f"`restitution` to 10⁻² takes {best:.1f} ms, {round(two / best, -1):.0f} times less" in WORDS
@@ -71,9 +71,8 @@ def test_tolerances():
     slow = {to: [float(cells[0]) for name, cells in MS.items() if re.match(rf"restitution to {to}(, v = .*)?$", name)]
             for to in ("0.01", "0.001", "0.0001")}  # fmt: skip
     assert f"10⁻² takes {min(slow['0.01']):.1f} to {max(slow['0.01']):.1f} ms" in WORDS
+    assert f"10⁻³ {min(slow['0.001']):.1f} to {max(slow['0.001']):.1f} ms" in WORDS
     assert f"10⁻⁴ {min(slow['0.0001']):.0f} to {max(slow['0.0001']):.0f} ms" in WORDS
-    first, *_, second, third = sorted(slow["0.001"])
-    assert f"10⁻³ takes {first:.1f} to {second:.1f} ms and {third:.1f} ms at v = 0.1" in WORDS
 
 
 def test_other_claims():
@@ -82,14 +81,14 @@ def test_other_claims():
     assert f"ω ≤ 100 in {modes[0]:.0f} ms" in WORDS and f"66 974 of them, in {modes[1]:.0f} ms" in WORDS
     accurate = [ms(f"restitution of a sphere, v = {v}") for v in (0.1, 0.05, 0.02)]
     assert f"a value takes {min(accurate):.0f} to {max(accurate):.0f} ms" in WORDS
-    for v, digits in ((0.1, "3.4"), (0.01, "4.4")):
+    for v, digits in ((0.1, "2.2"), (0.01, "2.5")):
         time = ms(f"100 samples of a sphere at temperature 0.01 up to 10 c/R, to 0.001, v = {v}")
         assert rounded(time / 100, digits) and f"{digits} ms" in WORDS
     cutoffs = [ms(f"hard wall, as restitution resolves it, cutoff {cutoff}") for cutoff in (16, 32, 64, 128, 256)]
     powers = ", ".join(f"{math.log2(b / a):.1f}" for a, b in zip(cutoffs, cutoffs[1:]))
     assert f"256 is {powers};" in WORDS
-    assert round(ms("the paper's protocol, every mode at every angle") / PROTOCOL) == 7
-    assert "it takes seven times as long (second row)" in WORDS
+    assert round(ms("the paper's protocol, every mode at every angle") / PROTOCOL) == 8
+    assert "it takes eight times as long (second row)" in WORDS
     curves = [ms(f"two curves of 60 speeds to 0.001, {n}, modes included") / 1e3 for n in ("1 thread", "2 threads")]
     assert f"{curves[0]:.2f} s on one thread, {curves[1]:.2f} s on two" in WORDS
 
@@ -114,12 +113,6 @@ def over_the_whole_range():
 
 
 RANGE = over_the_whole_range()
-
-
-def test_the_whole_range_is_that_of_the_validation():
-    assert len(RANGE) == 3
-    for cells, found in zip(rows("tolerance"), RANGE.values()):
-        assert cells[2::2] == list(found)
 
 
 def short(value):

@@ -61,7 +61,7 @@ class Material:
         >>> round(disk.scales.speed)
         5172
         >>> stoss.restitution(disk, speed=5.0)  # 5 m/s
-        Restitution(poisson=0.3, speed=0.000966708 c: restitution 0.987121 ± 0.000010)
+        Restitution(poisson=0.3, speed=0.000966708 c: restitution 0.9871212 ± 0.0000090)
     """
 
     young: float

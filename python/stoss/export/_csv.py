@@ -100,7 +100,7 @@ def read_csv(path: str | os.PathLike[str]) -> Table:
         >>> stoss.restitution(poisson=0.33, speed=[0.01, 0.1]).to_csv("curve.csv")
         >>> table = stoss.read_csv("curve.csv")
         >>> table["restitution"].round(4), table.units["speed"], table.inputs["body"]
-        (array([0.9842, 0.9471]), 'c', 'Disk(poisson=0.33)')
+        (array([0.9842, 0.947 ]), 'c', 'Disk(poisson=0.33)')
     """
     name = os.fspath(path)
     with open(name, encoding="utf-8", newline="") as stream:

@@ -60,7 +60,7 @@ def restitution(
 
     Examples:
         >>> stoss.restitution(poisson=0.33, speed=0.1)
-        Restitution(poisson=0.33, speed=0.1 c: restitution 0.947060 ± 0.000031)
+        Restitution(poisson=0.33, speed=0.1 c: restitution 0.947042 ± 0.000038)
         >>> curve = stoss.restitution(poisson=0.33, speed=np.geomspace(1e-4, 0.3, 50))
         >>> curve.restitution.max().round(4)
         0.9974

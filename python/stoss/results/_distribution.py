@@ -165,7 +165,7 @@ def restitution_distribution(
     Examples:
         >>> warm = stoss.restitution_distribution(stoss.Sphere(poisson=0.3), speed=0.01, temperature=0.01, samples=100)
         >>> warm
-        RestitutionDistribution(Sphere(poisson=0.3), speed=0.01 c, temperature 0.01: 100 samples, mean 0.99887 ± 0.00033, restitution 0.990652 to 1.00777)
+        RestitutionDistribution(Sphere(poisson=0.3), speed=0.01 c, temperature 0.01: 100 samples, mean 0.99887 ± 0.00033, restitution 0.990655 to 1.00778)
         >>> bool(warm.above_one > 0)
         True
     """

@@ -175,7 +175,7 @@ def oblique(
         >>> ball = stoss.Sphere(poisson=0.3)
         >>> stoss.oblique(ball, speed=0.01, tangential=0.005, friction=0.3)
         ObliqueRestitution(Sphere(poisson=0.3), speed=0.01 c, tangential=0.005 c, friction=0.3:
-        restitution 0.99860969 ± 0.00000096, tangential 0.5238 ± 0.0022)
+        restitution 0.99860967 ± 0.00000096, tangential 0.5238 ± 0.0022)
         >>> fan = stoss.oblique(ball, speed=0.01, angle=[5, 30, 60, 85], friction=0.1)
         >>> fan.tangential_restitution.round(3)
         array([ 0.371,  0.205, -0.598, -0.939])
