@@ -1,11 +1,15 @@
 // How far the cutoff is raised: as far as the errors ask for, and no further where no cutoff will do.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/half_space.hpp"
+#include "stoss/bodies/sphere.hpp"
 #include "stoss/restitution/curve.hpp"
 #include "stoss/restitution/restitution.hpp"
 
@@ -20,6 +24,36 @@ Restitution given_up(double poisson, double speed, double tolerance) {
   }
   ADD_FAILURE() << poisson << ", " << speed << " converges to " << tolerance;
   return {};
+}
+
+TEST(RestitutionLadder, TheThirdRunIsFartherOffTheMoreTheFirstTwoLeaveOpen) {
+  const RefinableContact contacts[] = {RefinableContact(disk(0.33)), RefinableContact(sphere(0.3)),
+                                       RefinableContact(sphere(0.3), half_space(HalfSpace{.poisson = 0.3}))};
+  for (const RefinableContact& contact : contacts) {
+    double last = 0.0;
+    for (const double tolerance : {0.1, 1e-3, 1e-4}) {
+      const Restitution result = restitution(contact, 0.1, {.tolerance = tolerance, .absolute = 0.0});
+      ASSERT_GE(result.runs.size(), 3U);
+      const double farther = result.runs[2].cutoff / result.runs[1].cutoff;
+      EXPECT_GE(farther, last);
+      last = farther;
+      if (tolerance == 0.1) {
+        EXPECT_NEAR(farther, std::sqrt(2.0), 1e-12);  // a closer run agrees by chance
+        EXPECT_EQ(result.runs.size(), 3U);            // but two say nothing
+      }
+    }
+    EXPECT_NEAR(last, 2.0, 1e-12);
+  }
+}
+
+TEST(RestitutionLadder, NeighbouringSpeedsHaveTheSameGrids) {
+  const RefinableContact contact(sphere(0.3));
+  const Restitution one = restitution(contact, 0.1), other = restitution(contact, 0.1001);
+  ASSERT_EQ(one.runs.size(), other.runs.size());
+  for (std::size_t run = 0; run < one.runs.size(); ++run) {
+    EXPECT_EQ(one.runs[run].resolution.half_width, other.runs[run].resolution.half_width);
+    EXPECT_EQ(one.runs[run].resolution.nodes, other.runs[run].resolution.nodes);
+  }
 }
 
 TEST(RestitutionLadder, OneRunThatIsOffDoesNotDriveTheCutoffUp) {
