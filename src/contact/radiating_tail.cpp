@@ -4,9 +4,12 @@
 #include <cmath>
 
 #include "contact/touch.hpp"
+#include "numeric/kernels.hpp"
 #include "stoss/contact/grid.hpp"
 
 namespace stoss {
+
+namespace kernels = numeric::kernels;
 
 RadiatingTail::RadiatingTail(const Contact& contact, const ContactGrid& grid, double speed, double step,
                              const Poll& poll)
@@ -21,18 +24,20 @@ const std::vector<double>& RadiatingTail::advance(const std::vector<double>& pos
   }
   at_rest_ = false;
   const std::vector<double>& free = residuals_.predict();
-  for (std::size_t i = 0; i < nodes; ++i) gap_[i] = position[i] - free[i];
+  kernels::subtract(position.data(), free.data(), nodes, gap_.data());
   old_force_.swap(force_);
   const std::size_t extent_before = contact_.extent();
   contact_.follow(position_.front(), position.front(), step_);
   contact_.solve(gap_, force_, contact_displacement_);
   const std::size_t pushed = std::max(extent_before, contact_.extent());
-  for (std::size_t i = 0; i < pushed; ++i) work_ += 0.5 * (old_force_[i] + force_[i]) * (position[i] - position_[i]);
+  double work = work_;
+  for (std::size_t i = 0; i < pushed; ++i) work += 0.5 * (old_force_[i] + force_[i]) * (position[i] - position_[i]);
+  work_ = work;
   for (std::size_t i = 0; lossy_ && i < pushed; ++i) {
     const double opened = position[i] - position_[i] - (free[i] + contact_displacement_[i] - displacement_[i]);
     edge_work_ += 0.5 * (old_force_[i] + force_[i]) * opened;
   }
-  for (std::size_t i = 0; i < nodes; ++i) displacement_[i] = free[i] + contact_displacement_[i];
+  kernels::add(free.data(), contact_displacement_.data(), nodes, displacement_.data());
   residuals_.move(displacement_, force_, contact_.extent());
   position_ = position;
   return force_;

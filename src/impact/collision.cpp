@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "contact/touch.hpp"
+#include "numeric/kernels.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
@@ -44,7 +46,7 @@ double Collision::velocity() const { return velocity_ - 0.5 * force_ * step_ / c
 double Collision::translation() const { return 0.5 * contact_.mass * velocity() * velocity(); }
 
 void Collision::respond() {
-  for (std::size_t i = 0; i < position_.size(); ++i) position_[i] = compression_ - grid_.recess[i];
+  numeric::kernels::subtract_from(compression_, grid_.recess.data(), position_.size(), position_.data());
   modes_.add_displacement(position_);
   if (!history_.has_touched()) {
     foremost_before_ = foremost_;
@@ -52,9 +54,9 @@ void Collision::respond() {
   }
   const std::vector<double>& force = response_->advance(position_);
   node_force_ = &force;
-  force_ = 0.0;
-  for (std::size_t i = 0; i < response_->extent(); ++i) force_ += force[i];
-  modes_.load(force, response_->extent());
+  const std::size_t extent = response_->extent();
+  force_ = std::accumulate(force.begin(), force.begin() + static_cast<std::ptrdiff_t>(extent), 0.0);
+  modes_.load(force, extent);
   if (pressures_ != nullptr) pressures_->add(force, *response_);
 }
 

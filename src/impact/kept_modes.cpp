@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "numeric/damped_oscillator.hpp"
 #include "numeric/stable_kicks.hpp"
@@ -53,12 +54,25 @@ KeptModes::KeptModes(const Contact& contact, const ContactGrid& grid, double ste
   moved_.resize(nodes_);
   const std::size_t rows = grid.shape.size() / nodes_;
   amplitude_.resize((rows + lanes - 1) / lanes * lanes);
-  for (const ModeGroup& group : contact.groups) shapes_of_.push_back({group.upper_row, group.lower_row});
+  place_rows(contact);
   shapes_ = grid.shape;
   shapes_by_node_.resize(amplitude_.size() * nodes_);
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t i = 0; i < nodes_; ++i) shapes_by_node_[i * amplitude_.size() + row] = shapes_[row * nodes_ + i];
   }
+}
+
+void KeptModes::place_rows(const Contact& contact) {
+  const auto place = [this](std::size_t at, std::size_t row) {
+    if (!runs_.empty() && runs_.back().at + runs_.back().count == at && runs_.back().row + runs_.back().count == row) {
+      ++runs_.back().count;
+    } else {
+      runs_.push_back({at, row, 1});
+    }
+  };
+  for (std::size_t g = 0; g < size_.size(); ++g) place(g, contact.groups[g].upper_row);
+  for (std::size_t g = 0; g < size_.size(); ++g) place(push_.size() / 2 + g, contact.groups[g].lower_row);
+  for (const ModeGroup& group : contact.groups) shapes_of_.push_back({group.upper_row, group.lower_row});
 }
 
 void KeptModes::damp(const Contact& contact, Kicks kicks) {
@@ -113,17 +127,15 @@ void KeptModes::set(const std::vector<double>& coordinate, const std::vector<dou
       lower += lower_[k] * a_[k];
     }
     edge_[g] = upper;
-    edge_[edge_.size() / 2 + g] = lower;
+    edge_[push_.size() / 2 + g] = lower;
   }
 }
 
 void KeptModes::load(const std::vector<double>& force, std::size_t count) {
   kernels::multiply_transposed(shapes_by_node_.data(), amplitude_.size(), count, 0, amplitude_.size(), force.data(),
                                amplitude_.data());
-  const double scale = step_ / mass_;
-  for (std::size_t g = 0; g < size_.size(); ++g) {
-    push_[g] = scale * amplitude_[shapes_of_[g].upper];
-    push_[push_.size() / 2 + g] = scale * amplitude_[shapes_of_[g].lower];
+  for (const auto [at, row, length] : runs_) {
+    kernels::scale(step_ / mass_, amplitude_.data() + row, length, push_.data() + at);
   }
 }
 
@@ -152,13 +164,13 @@ void KeptModes::advance() {
 
 void KeptModes::add_displacement(std::vector<double>& position) {
   std::fill(amplitude_.begin(), amplitude_.end(), 0.0);
-  for (std::size_t g = 0; g < size_.size(); ++g) {
-    amplitude_[shapes_of_[g].upper] += edge_[g];
-    amplitude_[shapes_of_[g].lower] += edge_[edge_.size() / 2 + g];
+  for (const auto [at, row, length] : runs_) {
+    double* const sums = amplitude_.data() + row;
+    kernels::add(sums, edge_.data() + at, length, sums);
   }
   kernels::multiply_transposed(shapes_.data(), nodes_, shapes_.size() / nodes_, 0, nodes_, amplitude_.data(),
                                moved_.data());
-  for (std::size_t i = 0; i < nodes_; ++i) position[i] += moved_[i];
+  kernels::add(position.data(), moved_.data(), nodes_, position.data());
 }
 
 void KeptModes::accumulate_energy() {

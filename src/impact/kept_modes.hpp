@@ -70,6 +70,7 @@ class KeptModes {
   [[nodiscard]] std::size_t blocks() const { return begin_.size() - 1; }
   [[nodiscard]] std::size_t position(std::size_t group, std::size_t index) const;  // in the arrays over modes
   [[nodiscard]] double velocity(std::size_t group, std::size_t k) const;
+  void place_rows(const Contact& contact);
   void damp(const Contact& contact, Kicks kicks);
   [[nodiscard]] double half_power(std::size_t group) const;
 
@@ -92,7 +93,11 @@ class KeptModes {
   struct Rows {
     std::size_t upper, lower;
   };
-  std::vector<Rows> shapes_of_;         // each group
+  std::vector<Rows> shapes_of_;  // each group
+  struct Run {
+    std::size_t at, row, count;
+  };
+  std::vector<Run> runs_;               // neighbours in push and edge that are neighbours in the rows too
   std::vector<double> shapes_;          // shapes × nodes
   std::vector<double> shapes_by_node_;  // nodes × shapes, padded to whole vectors
   std::vector<double> amplitude_;       // of each shape in the motion; force on it

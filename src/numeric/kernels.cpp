@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "numeric/multiversion.hpp"
 
@@ -17,17 +18,35 @@ using Lanes = std::array<double, lanes>;
   return result;
 }
 
-/// The next `width` elements of a product, held in registers while the rows pass.
+/// Four neighbours in memory, of any alignment.
+using Vector [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
+constexpr std::size_t vector = 4;
+
+/// The next 4 · (number of places) elements of a product, held in registers while the rows pass: arrays of numbers
+/// would not be.
+template <std::size_t... place>
+[[gnu::always_inline]] inline void multiply_vectors(const double* matrix, std::size_t stride, std::size_t rows,
+                                                    const double* x, double* result, std::index_sequence<place...>) {
+  Vector sum[sizeof...(place)] = {(static_cast<void>(place), Vector{})...};
+  for (std::size_t j = 0; j < rows; ++j) {
+    const auto* const row = reinterpret_cast<const Vector*>(matrix + j * stride);
+    ((sum[place] += row[place] * x[j]), ...);
+  }
+  ((reinterpret_cast<Vector*>(result)[place] = sum[place]), ...);
+}
+
 template <std::size_t width>
 [[gnu::always_inline]] inline void multiply_block(const double* matrix, std::size_t stride, std::size_t rows,
                                                   const double* x, double* result) {
-  std::array<double, width> sum{};
-  for (std::size_t j = 0; j < rows; ++j) {
-    const double* const row = matrix + j * stride;
-#pragma omp simd
-    for (std::size_t i = 0; i < width; ++i) sum[i] += row[i] * x[j];
-  }
-  for (std::size_t i = 0; i < width; ++i) result[i] = sum[i];
+  multiply_vectors(matrix, stride, rows, x, result, std::make_index_sequence<width / vector>());
+}
+
+/// The same for a single element.
+[[gnu::always_inline]] inline void multiply_single(const double* matrix, std::size_t stride, std::size_t rows,
+                                                   const double* x, double* result) {
+  double sum = 0.0;
+  for (std::size_t j = 0; j < rows; ++j) sum += matrix[j * stride] * x[j];
+  *result = sum;
 }
 
 }  // namespace
@@ -160,7 +179,7 @@ void multiply_transposed(const double* matrix, std::size_t stride, std::size_t r
     default:
       break;
   }
-  for (; i < end; ++i) multiply_block<1>(matrix + i, stride, rows, x, result + i);
+  for (; i < end; ++i) multiply_single(matrix + i, stride, rows, x, result + i);
 }
 
 STOSS_MULTIVERSION
@@ -180,6 +199,76 @@ void add_transposed(const double* matrix, std::size_t stride, std::size_t rows, 
   }
   for (; i < count; ++i) {
     for (std::size_t j = 0; j < rows; ++j) result[i] += matrix[j * stride + i] * x[j];
+  }
+}
+
+STOSS_MULTIVERSION
+void scale(double scale, const double* x, std::size_t count, double* result) {
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) result[i] = scale * x[i];
+}
+
+STOSS_MULTIVERSION
+void subtract(const double* minuend, const double* subtrahend, std::size_t count, double* result) {
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) result[i] = minuend[i] - subtrahend[i];
+}
+
+STOSS_MULTIVERSION
+void subtract_from(double minuend, const double* subtrahend, std::size_t count, double* result) {
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) result[i] = minuend - subtrahend[i];
+}
+
+STOSS_MULTIVERSION
+void add(const double* a, const double* b, std::size_t count, double* result) {
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) result[i] = a[i] + b[i];
+}
+
+STOSS_MULTIVERSION
+double largest_within(const double* x, const double* unit, double scale, std::size_t count) {
+  Lanes largest{}, unbounded{};
+  const auto take = [&](std::size_t lane, std::size_t i) {
+    const double range = scale * unit[i], larger = x[i] > range ? x[i] : range, felt = x[i] > -range ? larger : 0.0;
+    largest[lane] = felt > largest[lane] ? felt : largest[lane];
+    unbounded[lane] += 0.0 * x[i];
+  };
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes) {
+#pragma omp simd
+    for (std::size_t lane = 0; lane < lanes; ++lane) take(lane, i + lane);
+  }
+  for (; i < count; ++i) take(0, i);
+  double result = 0.0, all = 0.0;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    result = std::max(result, largest[lane]);
+    all += unbounded[lane];
+  }
+  return result + all;
+}
+
+STOSS_MULTIVERSION
+void drift(const Masses& masses, double step, double fading, double* rest) {
+  const auto [displacement, velocity, acceleration, stretch, count] = masses;
+  const double half = 0.5 * step;
+#pragma omp simd
+  for (std::size_t k = 0; k < count; ++k) {
+    displacement[k] += step * velocity[k] + half * half * acceleration[k];
+    velocity[k] += half * acceleration[k];
+    rest[k] = displacement[k] + fading * stretch[k];
+  }
+}
+
+STOSS_MULTIVERSION
+void accelerate(const Masses& masses, double step, const double* moved) {
+  const auto [displacement, velocity, acceleration, stretch, count] = masses;
+  const double half = 0.5 * step;
+#pragma omp simd
+  for (std::size_t k = 0; k < count; ++k) {
+    displacement[k] += half * half * acceleration[k];
+    velocity[k] += half * acceleration[k];
+    stretch[k] = moved[k] - displacement[k];
   }
 }
 

@@ -50,6 +50,38 @@ void multiply_transposed(const double* matrix, std::size_t stride, std::size_t r
 void add_transposed(const double* matrix, std::size_t stride, std::size_t rows, std::size_t count, const double* x,
                     double* result);
 
+/// result[i] = scale · x[i] for i < count.
+void scale(double scale, const double* x, std::size_t count, double* result);
+
+/// result[i] = minuend[i] − subtrahend[i] for i < count.
+void subtract(const double* minuend, const double* subtrahend, std::size_t count, double* result);
+
+/// result[i] = minuend − subtrahend[i] for i < count.
+void subtract_from(double minuend, const double* subtrahend, std::size_t count, double* result);
+
+/// result[i] = a[i] + b[i] for i < count.
+void add(const double* a, const double* b, std::size_t count, double* result);
+
+/// The largest of max(x[i], range[i]) where x[i] > −range[i], 0 if that is nowhere, not a number if an x[i] is not
+/// finite; range[i] = scale · unit[i].
+double largest_within(const double* x, const double* unit, double scale, std::size_t count);
+
+/// Masses in free flight, and what they pull at (ResidualMotion).
+struct Masses {
+  double* displacement;
+  double* velocity;
+  double* acceleration;
+  double* stretch;
+  std::size_t count;
+};
+
+/// First half of a step by the trapezium rule: displacement and velocity become what they would be without the
+/// acceleration to come; rest = displacement + fading · stretch.
+void drift(const Masses& masses, double step, double fading, double* rest);
+
+/// Second half: takes the acceleration into both; the stretch becomes moved − displacement.
+void accelerate(const Masses& masses, double step, const double* moved);
+
 /// Adds products of the rows of two row-major matrices, whose sum is symmetric, to the lower triangle of a matrix:
 /// sum[i][j] += Σ_{k<rows} a[k][i] b[k][j] for first ≤ i < last and j ≤ i; entries up to the next whole vector become
 /// void.

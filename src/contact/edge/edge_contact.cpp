@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "numeric/kernels.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -51,32 +52,25 @@ void EdgeContact::follow(double before, double now, double step) {
   law_.recede(now < before ? 0.5 * std::max(half_width(), 0.5) * (before - now) / (left * step) : 0.0);
 }
 
-bool EdgeContact::is_clear(const std::vector<double>& q) const {
-  double unbounded = 0.0;
-  bool near = false;
-  for (std::size_t i = 0; i < q.size(); ++i) {
-    unbounded += 0.0 * q[i];
-    near |= q[i] > (law_.gap.empty() ? 0.0 : -law_.opening * law_.gap[i]);
-  }
-  if (unbounded != 0.0) {
+double EdgeContact::closeness(const std::vector<double>& q) const {
+  const double largest = law_.gap.empty()
+                             ? std::max(0.0, q[0]) + 0.0 * q[0]
+                             : numeric::kernels::largest_within(q.data(), law_.gap.data(), law_.opening, q.size());
+  if (!std::isfinite(largest)) {
     throw NotConverged("contact: the position of a node is not a finite number (use a smaller step)");
   }
-  return !near;
+  return largest;
 }
 
 void EdgeContact::solve(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement) {
-  if (is_clear(q)) {
+  const double scale = closeness(q);
+  if (scale == 0.0) {
     std::fill(force.begin(), force.end(), 0.0);
     std::fill(displacement.begin(), displacement.end(), 0.0);
     extent_ = rigid_ = 0;
     return;
   }
   if (law_.gap.empty()) return solve_point(q, force, displacement);
-  double scale = 0.0;
-  for (std::size_t i = 0; i < q.size(); ++i) {
-    const double gap = law_.opening * law_.gap[i];
-    scale = std::max(scale, q[i] > -gap ? std::max(q[i], gap) : 0.0);
-  }
   if (constexpr double rounding = 1e-13; !solve_edge(q, rounding * scale, force, displacement)) {
     solve_generally(q, scale, force, displacement);
   }
@@ -104,8 +98,9 @@ void EdgeContact::find_zone(std::size_t rigid) {
   }
   zone_.first = rigid;
   zone_.count = std::min<std::size_t>(3, compliance_->size() - rigid);
+  zone_.position = {};
+  zone_.compliance = {};
   for (std::size_t a = 0; a < zone_.count; ++a) {
-    zone_.position[a] = 0.0;
     for (std::size_t c = 0; c <= a; ++c) {
       zone_.position[a] += compliance_->lower(rigid + a, rigid + c) * inner_[rigid + c];
     }

@@ -29,7 +29,7 @@ class EdgeContact {
 
   /// Whether no node feels a force at these positions, with nothing else that moves it.
   /// @throws NotConverged if q is not finite
-  [[nodiscard]] bool is_clear(const std::vector<double>& q) const;
+  [[nodiscard]] bool is_clear(const std::vector<double>& q) const { return closeness(q) == 0.0; }
 
   /// Tells the law of a lossy contact how the foremost node has moved in a step, before it is solved.
   void follow(double before, double now, double step);
@@ -60,6 +60,7 @@ class EdgeContact {
   void begin_anew(const std::vector<double>& q);
   void solve_point(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement);
   void find_zone(std::size_t rigid);
+  [[nodiscard]] double closeness(const std::vector<double>& q) const;  // what positions are measured by; 0: no force
 
   std::shared_ptr<const FactoredCompliance> compliance_;
   EdgeLaw law_;

@@ -174,25 +174,32 @@ bool find_closures(Compliance& compliance, const EdgeLaw& law, const std::vector
 bool solve_zone(const EdgeLaw& law, EdgeZone& zone) {
   constexpr int most = 40;
   Vector& t = zone.closure;
+  Vector full_force{}, full_gap{};
+  for (std::size_t a = 0; a < zone.count; ++a) {
+    full_force[a] = law.force[zone.first + a];
+    full_gap[a] = law.opening * law.gap[zone.first + a];
+  }
   for (int iteration = 0; iteration < most; ++iteration) {
     // Positive: W is positive definite, and of each node a force or a gap rises. Nodes beyond the last stay.
-    std::array<Vector, 3> jacobian{Vector{1.0, 0.0, 0.0}, Vector{0.0, 1.0, 0.0}, Vector{0.0, 0.0, 1.0}};
+    std::array<Vector, 3> jacobian{};
     Vector rest{}, force{}, slope{}, change{};
-    for (std::size_t b = 0; b < zone.count; ++b) {
-      force[b] = law.force_at(zone.first + b, t[b]);
-      slope[b] = law.force_slope(zone.first + b, t[b]);
+    for (std::size_t b = 0; b < 3; ++b) {
+      const double closed = std::max(t[b], 0.0);
+      force[b] = full_force[b] * closed * closed;
+      slope[b] = 2.0 * full_force[b] * closed;
     }
-    for (std::size_t a = 0; a < zone.count; ++a) {
-      rest[a] = zone.position[a] + law.gap_at(zone.first + a, t[a]);
-      for (std::size_t b = 0; b < zone.count; ++b) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double open = std::max(1.0 - t[a], 0.0);
+      rest[a] = zone.position[a] + full_gap[a] * open * open;
+      for (std::size_t b = 0; b < 3; ++b) {
         rest[a] -= zone.compliance[a][b] * force[b];
         jacobian[a][b] = zone.compliance[a][b] * slope[b];
       }
-      jacobian[a][a] += law.gap_slope(zone.first + a, t[a]);
+      jacobian[a][a] += a < zone.count ? 2.0 * full_gap[a] * open : 1.0;
     }
     if (!solve_three(jacobian, rest, change)) return false;
     double largest = 0.0;
-    for (std::size_t a = 0; a < zone.count; ++a) {
+    for (std::size_t a = 0; a < 3; ++a) {
       const double longest = 0.5 * (1.0 + std::abs(t[a]));  // t grows by half of itself at most
       t[a] += std::clamp(change[a], -longest, longest);
       largest = std::max(largest, std::abs(change[a]) / (1.0 + std::abs(t[a])));

@@ -13,7 +13,7 @@ namespace stoss {
 struct EdgeZone {
   std::size_t first = 0;
   std::size_t count = 0;
-  std::array<std::array<double, 3>, 3> compliance{};  // S
+  std::array<std::array<double, 3>, 3> compliance{};  // S; 0 beyond the count, as p
   std::array<double, 3> position{};                   // p
   std::array<double, 3> closure{};                    // t, of the start; then of the solution
 };

@@ -9,7 +9,6 @@
 #include "contact/residual/kick_compliance.hpp"
 #include "numeric/dense.hpp"
 #include "numeric/kernels.hpp"
-#include "numeric/multiversion.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
@@ -148,36 +147,29 @@ ResidualMotion::ResidualMotion(const ResidualPart& part, const Contact& contact,
       mass_acceleration_(matrices_->masses),
       stretch_(matrices_->masses),
       rest_(matrices_->masses),
-      drive_(matrices_->masses),
       moved_(matrices_->masses),
       lossy_(longest_loss_time(contact) > 0.0) {
   if (!lossy_) return;
   moved_before_.resize(matrices_->masses);
+  drive_.resize(matrices_->masses);
   for (auto* each : {&displacement_, &before_, &spring_force_, &spring_before_, &viscous_force_, &reaction_})
     each->resize(nodes_);
 }
 
-STOSS_MULTIVERSION
-void ResidualMotion::drift() {
-  const std::size_t masses = matrices_->masses;
-  const double half = 0.5 * step_;
-  for (std::size_t k = 0; k < masses; ++k) {
-    // From here ξ, ξ̇ are what they would become without the new acceleration.
-    mass_displacement_[k] += step_ * mass_velocity_[k] + half * half * mass_acceleration_[k];
-    mass_velocity_[k] += half * mass_acceleration_[k];
-    rest_[k] = mass_displacement_[k] + fading_ * stretch_[k];
-    drive_[k] = rest_[k];
-  }
+kernels::Masses ResidualMotion::view() {
+  return {mass_displacement_.data(), mass_velocity_.data(), mass_acceleration_.data(), stretch_.data(),
+          matrices_->masses};
 }
 
 const std::vector<double>& ResidualMotion::predict() {
   const std::size_t masses = matrices_->masses;
   const double remembered = viscous_ * share_;
-  drift();
+  kernels::drift(view(), step_, fading_, rest_.data());
   for (std::size_t k = 0; lossy_ && k < masses; ++k) {
-    drive_[k] -= remembered * (2.0 * moved_[k] - 0.5 * moved_before_[k]);
+    drive_[k] = rest_[k] - remembered * (2.0 * moved_[k] - 0.5 * moved_before_[k]);
   }
-  kernels::multiply_transposed(matrices_->memory.data(), nodes_, masses, 0, nodes_, drive_.data(), free_.data());
+  const std::vector<double>& drive = lossy_ ? drive_ : rest_;
+  kernels::multiply_transposed(matrices_->memory.data(), nodes_, masses, 0, nodes_, drive.data(), free_.data());
   if (lossy_) {
     for (std::size_t i = 0; i < nodes_; ++i) free_[i] += remembered * (2.0 * displacement_[i] - 0.5 * before_[i]);
   }
@@ -189,21 +181,11 @@ void ResidualMotion::move(const std::vector<double>& displacement, const std::ve
   if (lossy_) moved_before_ = moved_;
   kernels::multiply_transposed(matrices_->participation.data(), masses, nodes_, 0, masses, displacement.data(),
                                moved_.data());
-  for (std::size_t k = 0; k < masses; ++k) rest_[k] = moved_[k] - rest_[k];
+  kernels::subtract(moved_.data(), rest_.data(), masses, rest_.data());
   kernels::multiply_transposed(matrices_->mobility.data(), masses, masses, 0, masses, rest_.data(),
                                mass_acceleration_.data());
-  accelerate();
+  kernels::accelerate(view(), step_, moved_.data());
   if (lossy_) lose(displacement, force);
-}
-
-STOSS_MULTIVERSION
-void ResidualMotion::accelerate() {
-  const double half = 0.5 * step_;
-  for (std::size_t k = 0; k < matrices_->masses; ++k) {
-    mass_displacement_[k] += half * half * mass_acceleration_[k];
-    mass_velocity_[k] += half * mass_acceleration_[k];
-    stretch_[k] = moved_[k] - mass_displacement_[k];
-  }
 }
 
 void ResidualMotion::lose(const std::vector<double>& displacement, const std::vector<double>& force) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/residual/residual_part.hpp"
+#include "numeric/kernels.hpp"
 #include "stoss/contact/grid.hpp"
 
 namespace stoss {
@@ -63,8 +64,7 @@ class ResidualMotion {
   static Matrices discretize(const ResidualPart& part, const Contact& contact, const ContactGrid& grid, double step,
                              const Poll& poll);
   static Matrices massless(const ResidualPart& part, double step);
-  void drift();       // of the masses, and what drives them without force
-  void accelerate();  // them
+  [[nodiscard]] numeric::kernels::Masses view();
   void lose(const std::vector<double>& displacement, const std::vector<double>& force);
 
   std::size_t nodes_;
@@ -78,10 +78,10 @@ class ResidualMotion {
   std::vector<double> mass_displacement_, mass_velocity_, mass_acceleration_;  // ξ, ξ̇, ξ̈
   std::vector<double> stretch_;                                                // Rᵀz
   std::vector<double> rest_;                                                   // r; then Rᵀu − r
-  std::vector<double> drive_;                                                  // r − cθ Rᵀw
   std::vector<double> moved_;                                                  // Rᵀu
   // Of a lossy material.
   bool lossy_;
+  std::vector<double> drive_;                         // r − cθ Rᵀw
   std::vector<double> moved_before_;                  // Rᵀu of the step before
   std::vector<double> displacement_, before_;         // u of the last two steps
   std::vector<double> spring_force_, spring_before_;  // K u of the last two steps
