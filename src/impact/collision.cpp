@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "contact/touch.hpp"
+#include "impact/free_flight.hpp"
 #include "numeric/kernels.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
@@ -75,7 +76,7 @@ void Collision::record() {
   if (!history_.in_contact()) return;
   if (history_.samples_energy()) modes_.accumulate_energy();
   history_.add_extent(compression_ - touch_, half_width());
-  reach_ = -1.0;
+  reach_ = parted_ = -1.0;
 }
 
 double Collision::since_touch() const {
@@ -92,9 +93,20 @@ bool Collision::over() {
   if (history_.in_contact() || velocity() >= 0.0) return false;
   const auto clear = [this] { return compression_ + reach_ + response_->protrusion() < -response_->range(); };
   if (reach_ < 0.0 || (lossy_ && history_.steps() % ContactHistory::sampling == 0)) reach_ = modes_.reach();
-  if (!clear()) return contact_.gives_way && clears_waves();
+  if (!clear()) return contact_.gives_way ? clears_waves() : has_parted();
   reach_ = modes_.reach();  // a soft wall has pushed on, below its threshold of contact
   return clear();
+}
+
+/// Without losses the flight of the modes can be seen ahead; the nodes that are still displaced swing back less.
+bool Collision::has_parted() {
+  constexpr long pause = 8;  // steps after the contact, in which the nodes swing back
+  if (lossy_ || contact_.unbounded) return false;
+  if (parted_ < 0.0 && history_.steps_apart() >= pause) {
+    const double range = response_->protrusion() + response_->range();
+    parted_ = history_.time() + time_to_part(modes_.in_flight(), grid_.recess, {compression_, velocity(), range});
+  }
+  return parted_ >= 0.0 && history_.time() >= parted_;
 }
 
 /// A surface that has given way does not come back: the body clears it if, as it recedes, it stays away from where the

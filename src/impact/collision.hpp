@@ -73,6 +73,7 @@ class Collision {
   [[nodiscard]] double since_touch() const;  // in steps, at the first notice of a contact
   [[nodiscard]] double half_width() const;
   [[nodiscard]] bool clears_waves();
+  [[nodiscard]] bool has_parted();
   [[nodiscard]] double velocity() const;  // synchronous with the position
   [[nodiscard]] double translation() const;
   [[nodiscard]] std::array<double, 2> dissipated() const;  // in the first and in the second body
@@ -99,6 +100,7 @@ class Collision {
   ContactHistory history_;
   bool lossy_;
   double reach_ = -1.0;     // of the free vibration; < 0: not known
+  double parted_ = -1.0;    // time from which they stay clear in free flight; < 0: not known
   double next_look_ = 0.0;  // time at which waves ahead are looked at again
 };
 

@@ -23,6 +23,7 @@ void ContactHistory::add(bool touching, double since_touch) {
     // A contact ends, on average, half a step after it is noticed last.
     if (!in_contact_ && contacts_++ == 0) first_contact_ = time() - since_touch * step_;
     last_contact_ = time() + 0.5 * step_;
+    last_step_ = steps_;
     ++contact_steps_;
   }
   in_contact_ = touching;

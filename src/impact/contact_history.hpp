@@ -30,6 +30,7 @@ class ContactHistory {
   [[nodiscard]] bool in_contact() const { return in_contact_; }
   [[nodiscard]] bool has_touched() const { return contacts_ > 0; }
   [[nodiscard]] long steps() const { return steps_; }
+  [[nodiscard]] long steps_apart() const { return steps_ - last_step_; }  ///< since the last contact
   [[nodiscard]] double time() const { return static_cast<double>(steps_) * step_; }
   [[nodiscard]] double impulse() const { return impulse_; }
 
@@ -53,6 +54,7 @@ class ContactHistory {
   double first_contact_ = 0.0;  // times
   double last_contact_ = 0.0;
   long contact_steps_ = 0;
+  long last_step_ = 0;  // of the last contact
   double impulse_ = 0.0;
   std::vector<double> impulse_history_;  // after each step since the first force
   Peak force_peak_, compression_peak_, half_width_peak_;

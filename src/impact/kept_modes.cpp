@@ -162,6 +162,24 @@ void KeptModes::advance() {
   }
 }
 
+KeptModes KeptModes::in_flight() const {
+  KeptModes flight(*this);
+  for (std::size_t g = 0; g < size_.size(); ++g) {
+    for (std::size_t l = 0; l < size_[g]; ++l) {
+      const std::size_t k = position(g, l);
+      flight.b_[k] = velocity(g, k);
+      for (int doubling = 0; doubling < 2; ++doubling) {
+        const double cosine = flight.cosine_[k], sine = flight.sine_[k];
+        flight.cosine_[k] = (cosine - sine) * (cosine + sine);
+        flight.sine_[k] = 2.0 * cosine * sine;
+      }
+    }
+  }
+  flight.step_ = 4.0 * step_;
+  std::fill(flight.push_.begin(), flight.push_.end(), 0.0);
+  return flight;
+}
+
 void KeptModes::add_displacement(std::vector<double>& position) {
   std::fill(amplitude_.begin(), amplitude_.end(), 0.0);
   for (const auto [at, row, length] : runs_) {
@@ -200,7 +218,9 @@ double KeptModes::half_power(std::size_t group) const {
   return sum;
 }
 
-double KeptModes::reach(std::size_t begin, std::size_t end) const {
+/// Σ weight(ω) |A| over the modes that stay, with the largest displacement that each has at the nodes begin … end − 1.
+template <typename Weight>
+double KeptModes::sum_of_amplitudes(std::size_t begin, std::size_t end, Weight weight) const {
   const auto greatest = [this, begin, end](std::size_t row) {
     double result = 0.0;
     for (std::size_t i = begin; i < end; ++i) result = std::max(result, std::abs(shapes_[row * nodes_ + i]));
@@ -213,10 +233,19 @@ double KeptModes::reach(std::size_t begin, std::size_t end) const {
     for (std::size_t l = 0; l < size_[g]; ++l) {
       const std::size_t k = position(g, l);
       const double v = velocity(g, k);
-      sum += std::sqrt(a_[k] * a_[k] + v * v) * (std::abs(upper_[k]) * upper + std::abs(lower_[k]) * lower);
+      const double amplitude = std::sqrt(a_[k] * a_[k] + v * v);
+      sum += weight(omega_[k]) * amplitude * (std::abs(upper_[k]) * upper + std::abs(lower_[k]) * lower);
     }
   }
   return sum;
+}
+
+double KeptModes::reach(std::size_t begin, std::size_t end) const {
+  return sum_of_amplitudes(begin, end, [](double) { return 1.0; });
+}
+
+double KeptModes::greatest_acceleration() const {
+  return sum_of_amplitudes(0, nodes_, [](double omega) { return omega * omega; });
 }
 
 double KeptModes::waves_later(double time) const {

@@ -36,6 +36,11 @@ class KeptModes {
   /// Kicks, and moves freely by one step.
   void advance();
 
+  /// The same modes now, with no force due, in steps four times as long. Of bodies that lose nothing.
+  [[nodiscard]] KeptModes in_flight() const;
+
+  [[nodiscard]] double step() const { return step_; }
+
   /// Adds the displacement towards the wall of each node.
   void add_displacement(std::vector<double>& position);
 
@@ -51,6 +56,9 @@ class KeptModes {
 
   /// Upper bound of the displacement of any node in free vibration, but for waves that run away.
   [[nodiscard]] double reach() const { return reach(0, nodes_); }
+
+  /// The same of its acceleration, Σ ω² |A|.
+  [[nodiscard]] double greatest_acceleration() const;
 
   /// The same of the nodes begin … end − 1, where those of other directions follow.
   [[nodiscard]] double reach(std::size_t begin, std::size_t end) const;
@@ -70,6 +78,8 @@ class KeptModes {
   [[nodiscard]] std::size_t blocks() const { return begin_.size() - 1; }
   [[nodiscard]] std::size_t position(std::size_t group, std::size_t index) const;  // in the arrays over modes
   [[nodiscard]] double velocity(std::size_t group, std::size_t k) const;
+  template <typename Weight>
+  [[nodiscard]] double sum_of_amplitudes(std::size_t begin, std::size_t end, Weight weight) const;
   void place_rows(const Contact& contact);
   void damp(const Contact& contact, Kicks kicks);
   [[nodiscard]] double half_power(std::size_t group) const;

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "check.hpp"
+#include "impact/free_flight.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -34,15 +36,23 @@ std::vector<Place> places(const Contact& contact) {
 }
 
 /// Their numbers in that order, by body, order and index.
-using Numbers = std::map<std::tuple<int, int, int>, std::size_t>;
-
-Numbers numbered(const std::vector<Place>& all) {
-  Numbers numbers;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    numbers.emplace(std::tuple(all[k].body, all[k].order, all[k].number), k);
+class Numbers {
+ public:
+  explicit Numbers(const std::vector<Place>& all) {
+    for (std::size_t k = 0; k < all.size(); ++k) sorted_.push_back({{all[k].body, all[k].order, all[k].number}, k});
+    if (!std::is_sorted(sorted_.begin(), sorted_.end())) std::sort(sorted_.begin(), sorted_.end());
   }
-  return numbers;
-}
+
+  [[nodiscard]] std::optional<std::size_t> of(const Oscillation& mode) const {
+    const Key key{mode.body, mode.order, mode.index};
+    const auto at = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair(key, std::size_t{0}));
+    return at != sorted_.end() && at->first == key ? std::optional(at->second) : std::nullopt;
+  }
+
+ private:
+  using Key = std::tuple<int, int, int>;
+  std::vector<std::pair<Key, std::size_t>> sorted_;
+};
 
 std::string named(const Oscillation& mode) {
   return "mode (" + std::to_string(mode.order) + ", " + std::to_string(mode.index) + ") of the " +
@@ -82,7 +92,7 @@ State approach(const Contact& contact, double speed, const Vibration& vibration)
   const std::size_t count = mode_count(contact);
   State state{-contact.extent, speed, std::vector<double>(count), std::vector<double>(count)};
   const std::vector<Place> all = places(contact);
-  const Numbers numbers = numbered(all);
+  const Numbers numbers(all);
   std::vector<bool> given(count);
   const double translation = 0.5 * contact.mass * speed * speed;
   const auto set = [&](std::size_t k, double energy, double phase) {
@@ -94,20 +104,20 @@ State approach(const Contact& contact, double speed, const Vibration& vibration)
   std::vector<std::size_t> found;
   for (const Oscillation& mode : vibration) {
     require_possible(contact, mode);
-    const auto at = numbers.find({mode.body, mode.order, mode.index});
-    if (at == numbers.end()) {
+    const std::optional<std::size_t> at = numbers.of(mode);
+    if (!at) {
       throw InvalidInput("vibration: got " + named(mode) + ", allowed modes up to the cutoff, " +
                          shown(contact.cutoff) + " (raise it)");
     }
-    if (given[at->second]) throw InvalidInput("vibration: got " + named(mode) + " twice, allowed once");
+    if (given[*at]) throw InvalidInput("vibration: got " + named(mode) + " twice, allowed once");
     constexpr Range not_negative{0.0, 1e12, true, true, "0 to 1e12"};
     require("energy", mode.energy, not_negative, "of a mode, as a share of the translational energy");
     require("phase", mode.phase, {-1e12, 1e12, true, true, "-1e12 to 1e12"}, "of a mode, radians");
-    given[at->second] = true;
-    found.push_back(at->second);
-    set(at->second, mode.energy, mode.phase);
+    given[*at] = true;
+    found.push_back(*at);
+    set(*at, mode.energy, mode.phase);
   }
-  const double distance = clearance(contact, state), time = distance / speed;
+  const double time = time_before_touch(contact, state), distance = time * speed;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Place& place = all[found[i]];
     set(found[i], vibration[i].energy, vibration[i].phase - contact.groups[place.group].omega[place.index] * time);
@@ -147,10 +157,10 @@ Vibration vibration_after(const Contact& contact, const State& state, double fli
 }
 
 bool keeps(const Contact& contact, const Vibration& vibration) {
-  const Numbers numbers = numbered(places(contact));
+  const Numbers numbers(places(contact));
   return std::all_of(vibration.begin(), vibration.end(), [&](const Oscillation& mode) {
     require_possible(contact, mode);
-    return numbers.contains({mode.body, mode.order, mode.index});
+    return numbers.of(mode).has_value();
   });
 }
 

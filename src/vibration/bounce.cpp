@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "check.hpp"
+#include "impact/free_flight.hpp"
 
 namespace stoss {
 namespace {
@@ -62,8 +63,11 @@ Beginning after_flight(const Contact& contact, const Impact& impact, double spee
     moves = moves || state.coordinate[k] != 0.0 || state.momentum[k] != 0.0;
   }
   if (!moves) return {};
-  const double distance = clearance(contact, state);
-  const double time = flight - (distance - contact.extent - center_after(contact, impact)) / speed;
+  const double to_touch = flight + (contact.extent + center_after(contact, impact)) / speed;
+  const double distance = longest_loss_time(contact) > 0.0
+                              ? clearance(contact, state)
+                              : speed * time_before_touch(contact, free_motion(contact, state, to_touch));
+  const double time = to_touch - distance / speed;
   if (time < 0.0 && longest_loss_time(contact) > 0.0) {
     turn(contact, state, time);  // back in time it would grow
   } else {

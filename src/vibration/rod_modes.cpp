@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "impact/kept_modes.hpp"
+#include "impact/free_flight.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
@@ -33,39 +33,6 @@ Body in_four_groups(Body body) {
     body.groups.push_back(std::move(group));
   }
   return body;
-}
-
-/// Bound of the second derivative of the gap between vibrating ends.
-double curvature(const Contact& pair, const State& state) {
-  double sum = 0.0;
-  for (std::size_t g = 0, k = 0; g < pair.groups.size(); ++g) {
-    const ModeGroup& group = pair.groups[g];
-    const double mass = modal_mass(pair, g), scale = std::sqrt(mass / pair.mass);
-    for (std::size_t l = 0; l < group.omega.size(); ++l, ++k) {
-      const double omega = group.omega[l];
-      const double amplitude = std::hypot(state.coordinate[k], state.momentum[k] / (mass * omega));
-      sum += scale * std::abs(group.upper[l]) * amplitude * omega * omega;
-    }
-  }
-  return sum;
-}
-
-/// The state of freely vibrating rods a moment before they can touch: steps of free flight cost less than those of a
-/// collision. @param touch state when the undeformed ends would touch
-State before_touch(const Contact& pair, const State& touch, double step) {
-  const double stride = 2.0 * step, margin = 0.125 * stride * stride * curvature(pair, touch) + stride * touch.velocity;
-  double time = -clearance(pair, touch) / touch.velocity;
-  const State start = free_motion(pair, touch, time);
-  KeptModes modes(pair, contact_grid(pair, 0.0, 1), stride);
-  modes.set(start.coordinate, start.momentum);
-  std::vector<double> overlap(1);
-  while (true) {
-    modes.advance();
-    overlap.front() = touch.velocity * (time + stride);
-    modes.add_displacement(overlap);
-    if (overlap.front() > -margin) return free_motion(pair, touch, time);
-    time += stride;
-  }
 }
 
 }  // namespace
@@ -133,10 +100,10 @@ Impact RodModes::collision(const Contact& pair, const State* touching) const {
   ImpactOptions options;
   options.resolution = resolution_;
   options.poll = poll_;
+  if (touching != nullptr) options.start = free_motion(pair, *touching, -time_before_touch(pair, *touching));
   double step = fixed_resolution(pair, scaled_speed, resolution_).step;
   for (int attempt = 1;; ++attempt) {
     options.resolution.step = step;
-    if (touching != nullptr) options.start = before_touch(pair, *touching, step);
     try {
       return stoss::impact(pair, scaled_speed, options);
     } catch (const NotConverged&) {
