@@ -19,8 +19,9 @@ struct Oscillation {
 /// How bodies vibrate before an impact, whatever the cutoff at which it is computed. Modes that are not named rest.
 using Vibration = std::vector<Oscillation>;
 
-/// State of bodies that approach each other and vibrate, at that clearance. In a lossy material the modes have at that
-/// instant the energies that they are given; only their phases are followed back.
+/// State of bodies that approach each other and vibrate, before they can have touched: shortly before they may, or at
+/// the clearance in a lossy material, whose modes have at that instant the energies that they are given; only their
+/// phases are followed back.
 /// @param speed of approach, as for `impact`
 /// @throws InvalidInput for a speed out of range; a mode that the bodies do not have, or that comes twice; an energy
 ///         that is negative or not finite, a phase that is not finite; and bodies of which only a part is there
