@@ -1,7 +1,5 @@
 #include "contact/set_ups.hpp"
 
-#include <algorithm>
-
 namespace stoss {
 
 SetUp make_set_up(const Contact& contact, const ContactGrid& grid, ResidualMotion::Inertia inertia, double step,
@@ -11,28 +9,34 @@ SetUp make_set_up(const Contact& contact, const ContactGrid& grid, ResidualMotio
   return {std::move(residuals), std::move(compliance)};
 }
 
+SetUps::Grid SetUps::key_of(const Contact& contact, const ContactGrid& grid, double step) {
+  return {contact.first.get(),
+          contact.second.get(),
+          contact.cutoff,
+          contact.radius,
+          grid.points.spacing,
+          grid.points.count,
+          step};
+}
+
 std::shared_ptr<const SetUp> SetUps::of(const Contact& contact, const ContactGrid& grid,
                                         ResidualMotion::Inertia inertia, double step, const Poll& poll) {
   // Some eight matrices between the nodes each: 16 MB are 60 set-ups of 64 nodes.
-  constexpr std::size_t most_entries = std::size_t{16} << 20U, entry = 8 * sizeof(double);
-  const Key key{contact.first.get(), contact.second.get(), contact.cutoff, contact.radius,
-                grid.points.spacing, grid.points.count,    inertia,        step};
-  const auto find = [&] {
-    return std::find_if(kept_.begin(), kept_.end(), [&](auto& each) { return each.first == key; });
-  };
-  {
-    const std::lock_guard lock(mutex_);
-    if (const auto known = find(); known != kept_.end()) return known->second;
-  }
-  auto made = std::make_shared<const SetUp>(make_set_up(contact, grid, inertia, step, poll));
-  const std::lock_guard lock(mutex_);
-  if (const auto known = find(); known != kept_.end()) return known->second;
-  kept_.emplace_back(key, made);
-  const auto size = [](const Key& each) { return entry * each.count * each.count; };
-  std::size_t all = 0;
-  for (const auto& each : kept_) all += size(each.first);
-  for (; all > most_entries; kept_.pop_front()) all -= size(kept_.front().first);
-  return made;
+  const std::size_t size = 8 * sizeof(double) * grid.points.count * grid.points.count;
+  return set_ups_.of({key_of(contact, grid, step), inertia}, size,
+                     [&] { return make_set_up(contact, grid, inertia, step, poll); });
+}
+
+std::shared_ptr<const ModeTables> SetUps::modes(const Contact& contact, const ContactGrid& grid, double step,
+                                                Kicks kicks) {
+  const std::size_t size = sizeof(double) * (6 * mode_count(contact) + 2 * grid.shape.size());
+  return modes_.of({key_of(contact, grid, step), kicks}, size, [&] { return ModeTables(contact, grid, step, kicks); });
+}
+
+std::shared_ptr<const ModeTables> mode_tables(const Contact& contact, const ContactGrid& grid, double step,
+                                              Kicks kicks) {
+  if (contact.set_ups != nullptr) return contact.set_ups->modes(contact, grid, step, kicks);
+  return std::make_shared<const ModeTables>(contact, grid, step, kicks);
 }
 
 }  // namespace stoss

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <memory>
-#include <mutex>
-#include <utility>
 
 #include "contact/edge/factored_compliance.hpp"
+#include "contact/mode_tables.hpp"
+#include "contact/recent.hpp"
 #include "contact/residual/residuals.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/contact/grid.hpp"
@@ -24,26 +23,45 @@ struct SetUp {
 [[nodiscard]] SetUp make_set_up(const Contact& contact, const ContactGrid& grid, ResidualMotion::Inertia inertia,
                                 double step, const Poll& poll);
 
-/// The set-ups that impacts at a contact have needed last: one takes as long as many steps, and neighbouring speeds and
-/// the samples of an ensemble need the same. Any number of threads may ask.
+/// What impacts at a contact have needed last: to make it takes as long as many steps, and neighbouring speeds and the
+/// samples of an ensemble need the same. Any number of threads may ask.
 class SetUps {
  public:
   /// The set-up of a contact, which is kept.
   [[nodiscard]] std::shared_ptr<const SetUp> of(const Contact& contact, const ContactGrid& grid,
                                                 ResidualMotion::Inertia inertia, double step, const Poll& poll);
 
+  /// The tables of its modes, which are kept.
+  [[nodiscard]] std::shared_ptr<const ModeTables> modes(const Contact& contact, const ContactGrid& grid, double step,
+                                                        Kicks kicks);
+
  private:
-  struct Key {
+  struct Grid {
     const Body *first, *second;
     double cutoff, radius, spacing;
     std::size_t count;
-    ResidualMotion::Inertia inertia;
     double step;
+    bool operator==(const Grid&) const = default;
+  };
+  struct Key {
+    Grid grid;
+    ResidualMotion::Inertia inertia;
     bool operator==(const Key&) const = default;
   };
+  struct ModesKey {
+    Grid grid;
+    Kicks kicks;
+    bool operator==(const ModesKey&) const = default;
+  };
+  static Grid key_of(const Contact& contact, const ContactGrid& grid, double step);
 
-  std::mutex mutex_;
-  std::deque<std::pair<Key, std::shared_ptr<const SetUp>>> kept_;
+  static constexpr std::size_t most = std::size_t{16} << 20U;  // bytes of each
+  Recent<Key, SetUp> set_ups_{most};
+  Recent<ModesKey, ModeTables> modes_{most};
 };
+
+/// The tables of the modes of a contact, shared where it shares what it has made.
+[[nodiscard]] std::shared_ptr<const ModeTables> mode_tables(const Contact& contact, const ContactGrid& grid,
+                                                            double step, Kicks kicks);
 
 }  // namespace stoss

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "contact/set_ups.hpp"
 #include "contact/touch.hpp"
 #include "impact/free_flight.hpp"
 #include "numeric/kernels.hpp"
@@ -17,7 +18,8 @@ Collision::Collision(const Contact& contact, const FixedResolution& resolution, 
       grid_(grid),
       speed_(speed),
       step_(resolution.step),
-      modes_(contact, grid, resolution.step, follows_at_once(contact, resolution.tail) ? Kicks::weaker : Kicks::whole),
+      modes_(mode_tables(contact, grid, resolution.step,
+                         follows_at_once(contact, resolution.tail) ? Kicks::weaker : Kicks::whole)),
       pressures_(pressures),
       position_(grid.recess.size()),
       velocity_(speed),
@@ -104,7 +106,8 @@ bool Collision::has_parted() {
   if (lossy_ || contact_.unbounded) return false;
   if (parted_ < 0.0 && history_.steps_apart() >= pause) {
     const double range = response_->protrusion() + response_->range();
-    parted_ = history_.time() + time_to_part(modes_.in_flight(), grid_.recess, {compression_, velocity(), range});
+    parted_ = history_.time() + time_to_part(modes_.in_flight(mode_tables(contact_, grid_, 4.0 * step_, Kicks::whole)),
+                                             grid_.recess, {compression_, velocity(), range});
   }
   return parted_ >= 0.0 && history_.time() >= parted_;
 }

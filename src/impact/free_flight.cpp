@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "contact/demands.hpp"
+#include "contact/set_ups.hpp"
 #include "impact/recommended.hpp"
 #include "stoss/contact/grid.hpp"
 
@@ -40,7 +41,7 @@ double time_before_touch(const Contact& contact, const State& touch) {
   const ContactGrid grid = contact_grid(contact, half_width, has_single_point(contact) ? 1 : points);
   State back = touch;
   for (double& momentum : back.momentum) momentum = -momentum;
-  KeptModes modes(contact, grid, between_looks / contact.cutoff);
+  KeptModes modes(mode_tables(contact, grid, between_looks / contact.cutoff, Kicks::whole));
   modes.set(back.coordinate, back.momentum);
   const double range = unfelt_distance(contact, margin * modes.reach(), speed, half_width);
   return time_to_part(std::move(modes), grid.recess, {0.0, -speed, range});

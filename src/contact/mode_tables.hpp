@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
+
+namespace stoss {
+
+/// How a lossy contact kicks its modes.
+enum class Kicks {
+  whole,
+  weaker  ///< by as much as the modes follow the force at once in addition (numeric::StableKicks)
+};
+
+/// What the kept modes of all impacts on one grid with one step Δt share, in the order in which they are advanced
+/// (numeric::kernels::Oscillators): places without a mode hold an oscillator that nothing moves.
+struct ModeTables {
+  ModeTables(const Contact& contact, const ContactGrid& grid, double step, Kicks kicks);
+
+  /// Place of a mode in the arrays over modes.
+  [[nodiscard]] std::size_t position(std::size_t group, std::size_t index) const;
+
+  [[nodiscard]] std::size_t blocks() const { return begin.size() - 1; }
+
+  double mass;
+  double step;
+  std::size_t count;
+  std::size_t nodes;
+  std::size_t lasting_groups;           // of bounded bodies
+  std::vector<std::size_t> size;        // modes of each group
+  std::vector<std::size_t> begin;       // of each block of groups in the arrays over modes, and the end
+  std::vector<double> omega;            // 1 where there is no mode
+  std::vector<double> cosine, sine;     // what a free step makes of a
+  std::vector<double> upper, lower;     // weights over √ω
+  std::vector<double> velocity_cosine;  // what a free step leaves of b, if any mode is damped; else empty
+  std::vector<double> rate;             // 2γωΔt of each mode: m Q̇² 2γΔt = m rate b²
+  std::vector<double> due;              // as kernels::advance_damped has it
+  std::vector<double> amplitude_of;     // of each group: Q of its body over that of the contact, √(mass/modal mass)
+  struct Rows {
+    std::size_t upper, lower;
+  };
+  std::vector<Rows> shapes_of;  // each group
+  struct Run {
+    std::size_t at, row, count;
+  };
+  std::vector<Run> runs;               // sums over groups (kernels::advance) that are neighbours in the rows too
+  std::size_t rows;                    // padded to whole vectors
+  std::vector<double> shapes;          // rows × nodes, without the padding
+  std::vector<double> shapes_by_node;  // nodes × rows
+
+ private:
+  void place_groups(const Contact& contact);
+  void place_rows(const Contact& contact);
+  void damp(const Contact& contact, Kicks kicks);
+};
+
+}  // namespace stoss
