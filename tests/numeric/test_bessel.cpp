@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "numeric/bessel.hpp"
-#include "numeric/special_functions.hpp"
+#include "numeric/bessel_j01.hpp"
 
 namespace stoss {
 using namespace numeric;

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "numeric/special_functions.hpp"
+#include "numeric/cosine_integral.hpp"
 
 namespace stoss::numeric {
 namespace {

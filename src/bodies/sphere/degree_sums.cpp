@@ -11,7 +11,7 @@
 #include "bodies/sphere/static_flexibility.hpp"
 #include "bodies/sphere/sum_quadrature.hpp"
 #include "bodies/sphere/surface_points.hpp"
-#include "numeric/special_functions.hpp"
+#include "numeric/cosine_integral.hpp"
 #include "numeric/symmetric_products.hpp"
 
 namespace stoss::bodies::sphere {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "numeric/special_functions.hpp"
+#include "numeric/bessel_j01.hpp"
 
 namespace stoss::bodies::sphere {
 

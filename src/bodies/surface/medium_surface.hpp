@@ -4,7 +4,7 @@
 #include <functional>
 #include <numbers>
 
-#include "numeric/special_functions.hpp"
+#include "numeric/bessel_j01.hpp"
 #include "stoss/body/body.hpp"
 
 namespace stoss::bodies {

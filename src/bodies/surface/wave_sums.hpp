@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bodies/surface/residual.hpp"
+#include "numeric/cosine_integral.hpp"
 #include "numeric/gauss_legendre.hpp"
-#include "numeric/special_functions.hpp"
 #include "stoss/body/body.hpp"
 
 namespace stoss::bodies {

@@ -13,7 +13,4 @@ struct BesselJ01 {
 /// J_0(x) alone.
 [[nodiscard]] double bessel_j0(double x);
 
-/// Cosine integral Ci(x) = −∫_x^∞ cos t/t dt for x > 0; absolute error below 1e-14.
-[[nodiscard]] double cosine_integral(double x);
-
 }  // namespace stoss::numeric
