@@ -63,7 +63,7 @@ systems: build ## build for other systems, and compare what the command computes
 	@for system in $${SYSTEM:-$$(scripts/systems.sh)}; do \
 		scripts/systems.sh $$system $(JOBS) || [ $$? = 77 ] || exit 1; done
 
-bench: setup python ## benchmarks, with the paper's protocol as the rival
+bench: setup python ## benchmarks, with the paper's protocol and finite elements as rivals
 	@cmake --preset release -DSTOSS_BUILD_BENCH=ON
 	@cmake --build --preset release -j $(JOBS) --target stoss_bench
 	@build/release/bench/stoss_bench

@@ -12,22 +12,8 @@
 namespace bench {
 namespace {
 
-/// Converged 1 − ε² for ν = 0.33, by tolerance 1e-5 (docs/numerics.md).
-struct Case {
-  double speed;
-  double lost_fraction;
-};
-constexpr Case cases[] = {{0.001, 0.0284886}, {0.01, 0.031382}, {speed, converged_lost_fraction}, {0.3, 0.293637}};
-
-std::string label(const std::string& name, double tolerance, double at) {
-  std::ostringstream text;
-  text << name << " to " << tolerance;
-  if (at != speed) text << ", v = " << at;
-  return text.str();
-}
-
 /// Modes made before.
-void add_tolerance(double tolerance, const Case& at) {
+void add_tolerance(double tolerance, const HardWallCase& at) {
   add(label("restitution", tolerance, at.speed), [tolerance, at](benchmark::State& state) {
     const double lost_fraction = time_values(state, stoss::disk(poisson), at.speed, {.tolerance = tolerance});
     if (at.speed == speed) {
@@ -35,6 +21,7 @@ void add_tolerance(double tolerance, const Case& at) {
     } else {
       count_apart(state, lost_fraction, at.lost_fraction);
     }
+    count_task(state, at.speed, tolerance);
   });
 }
 
@@ -84,7 +71,7 @@ void add_curves(int threads) {
 
 void add_restitutions() {
   for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
-    for (const Case& at : cases) add_tolerance(tolerance, at);
+    for (const HardWallCase& at : hard_wall_cases) add_tolerance(tolerance, at);
   }
   add_shared();
   add_pair(2.0, 0.368291);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <sstream>
 
 #include "stoss/bodies/disk.hpp"
 
@@ -14,6 +15,13 @@ const stoss::Body& disk_body(double cutoff) {
   return found->second;
 }
 
+std::string label(const std::string& name, double tolerance, double at) {
+  std::ostringstream text;
+  text << name << " to " << tolerance;
+  if (at != speed) text << ", v = " << at;
+  return text.str();
+}
+
 void count(benchmark::State& state, double lost_fraction) {
   state.counters[lost_fraction_counter] = lost_fraction;
   state.counters[error_counter] = std::abs(lost_fraction - converged_lost_fraction);
@@ -23,6 +31,11 @@ void count_apart(benchmark::State& state, double lost_fraction, double converged
   state.counters[lost_fraction_counter] = lost_fraction;
   state.counters[error_counter] = std::abs(lost_fraction - converged);
   state.counters[apart_counter] = 1.0;
+}
+
+void count_task(benchmark::State& state, double at, double tolerance) {
+  state.counters[speed_counter] = at;
+  state.counters[tolerance_counter] = tolerance;
 }
 
 void count_work(benchmark::State& state, const stoss::RefinableContact& contact, double at,

@@ -4,17 +4,11 @@
 
 #include <string>
 
+#include "cases.hpp"
 #include "stoss/body/body.hpp"
 #include "stoss/restitution/restitution.hpp"
 
 namespace bench {
-
-/// The case of all benchmarks: ν = 0.33, v = 0.1 c.
-inline constexpr double poisson = 0.33;
-inline constexpr double speed = 0.1;
-
-/// Its converged 1 − ε² at a hard wall (docs/numerics.md).
-inline constexpr double converged_lost_fraction = 0.103088;
 
 /// The Poisson's ratio of spheres.
 inline constexpr double poisson_of_sphere = 0.3;
@@ -31,6 +25,10 @@ inline constexpr const char* sphere_counter = "sphere";
 inline constexpr const char* tangential_counter = "tangential_restitution";
 inline constexpr const char* rival_counter = "rival";      ///< of the oblique impacts that follow
 inline constexpr const char* answers_counter = "answers";  ///< how many times the rival would run
+inline constexpr const char* speed_counter = "v";
+inline constexpr const char* tolerance_counter = "to";
+inline constexpr const char* elements_counter = "finite elements";  ///< the rival to the same tolerance at this speed
+inline constexpr const char* to_elements_counter = "ratio to finite elements";
 inline constexpr const char* quoted_from_counter = "finite elements from [s]";
 inline constexpr const char* quoted_to_counter = "finite elements to [s]";
 inline constexpr const char* work_counter = "multiply-adds";
@@ -45,6 +43,9 @@ const stoss::Body& disk_body(double cutoff);
 double time_values(benchmark::State& state, const stoss::BodyMaker& body, double at,
                    const stoss::RestitutionOptions& options);
 
+/// “<name> to 0.01, v = 0.3”; the speed only where it is not that of all benchmarks.
+[[nodiscard]] std::string label(const std::string& name, double tolerance, double at);
+
 /// Registers a benchmark of one task, timed in milliseconds.
 template <typename Function>
 void add(const std::string& name, Function function) {
@@ -56,13 +57,17 @@ void add(const std::string& name, Function function) {
 void count(benchmark::State& state, double lost_fraction);
 void count_apart(benchmark::State& state, double lost_fraction, double converged);
 
+/// Counters of a row that has a rival to the same relative tolerance at the same speed.
+void count_task(benchmark::State& state, double at, double tolerance);
+
 /// Counter of the work of a result, Σ steps × modes × points over its runs: what its physics asks for at least as long
 /// as every mode is moved by the force at every point in every step.
 void count_work(benchmark::State& state, const stoss::RefinableContact& contact, double at,
                 const stoss::Restitution& result);
 
-// One for each file bench_*.cpp; the reference comes first.
+// One for each file bench_*.cpp; rivals come first.
 void add_paper();
+void add_finite_elements();
 void add_peak();
 void add_modes();
 void add_impacts();

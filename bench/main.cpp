@@ -28,6 +28,7 @@ int run(std::vector<std::string> arguments) {
   if (benchmark::ReportUnrecognizedArguments(count, flags.data())) return 2;
 
   bench::add_paper();
+  bench::add_finite_elements();
   bench::add_peak();
   bench::add_modes();
   bench::add_impacts();

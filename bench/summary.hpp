@@ -3,8 +3,10 @@
 #include <benchmark/benchmark.h>
 
 #include <iosfwd>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bench {
@@ -15,7 +17,8 @@ struct Row {
   double milliseconds = 0.0;  ///< processor time
   std::optional<double> lost_fraction;
   std::optional<double> error;
-  std::optional<double> ratio;  ///< the reference's time over this one's
+  std::optional<double> ratio;        ///< the reference's time over this one's
+  std::optional<double> to_elements;  ///< the time of finite elements for the same task over this one's
   bool sphere = false;
   std::optional<double> tangential;              ///< ε_t of an oblique impact, whose ratio is that to the last rival's
   std::optional<double> quoted_from, quoted_to;  ///< a rival's time in seconds, as quoted
@@ -40,8 +43,9 @@ class Summary final : public benchmark::ConsoleReporter {
   void write_oblique(std::ostream& out) const;
 
   std::vector<Row> rows_;
-  double rival_ = 0.0;  // milliseconds
-  double peak_ = 0.0;   // multiply–adds in a millisecond
+  std::map<std::pair<double, double>, double> elements_;  // milliseconds, by speed and tolerance
+  double rival_ = 0.0;                                    // milliseconds
+  double peak_ = 0.0;                                     // multiply–adds in a millisecond
   bool failed_ = false;
 };
 

@@ -38,6 +38,41 @@ def test_ratios_to_the_paper(name):
     assert ratio == pytest.approx(PROTOCOL / time, abs=0.006, rel=2.5e-3)
 
 
+ELEMENTS = {cells[0]: cells[1:] for cells in rows("relative error, speed")}
+
+
+@pytest.mark.parametrize("task", ELEMENTS)
+def test_ratios_to_finite_elements(task):
+    mesh, theirs, ours, ratio = ELEMENTS[task]
+    assert ratio == f"{float(theirs) / float(ours):.2g}"
+    tolerance, _, speed = task.partition(", v = ")
+    case = {"0.01": 1, "0.1": 2, "0.3": 3}[speed]
+    cases = page("bench/finite_element_cases.hpp")[1]
+    found = re.search(rf"hard_wall_cases\[{case}\], 1e-{len(tolerance) - 2}, {{(\d+), (\d+), ", cases)
+    across, rings = map(int, found.groups())
+    assert int(mesh) == 2 * across**2 + 4 * across * rings
+
+
+def test_finite_elements_of_the_large_table():
+    for name in MS:
+        if name.startswith("finite elements to "):
+            task = name.removeprefix("finite elements to ")
+            _, theirs, ours, ratio = ELEMENTS[task if "v = " in task else f"{task}, v = 0.1"]
+            same = MS[f"restitution to {task}"]
+            assert (theirs, ours) == (MS[name][0], same[0])
+            assert float(same[4]) == pytest.approx(float(ratio), rel=0.06), name
+
+
+def test_claims_about_finite_elements():
+    ratio = {task: cells[3] for task, cells in ELEMENTS.items()}
+    assert f"{ratio['0.01, v = 0.1']} times as long as `restitution` to 10⁻² at v = 0.1" in WORDS
+    assert f"and {ratio['0.001, v = 0.1']} times to 10⁻³" in WORDS
+    assert f"at v = 0.01 {ratio['0.01, v = 0.01']} and {ratio['0.001, v = 0.01']} times" in WORDS
+    assert f"v = 0.3 they reach 10⁻² in {ratio['0.01, v = 0.3']} times its time" in WORDS
+    assert rounded(float(ELEMENTS["0.01, v = 0.1"][1]), limits(3)["7·10⁻⁴"])
+    assert rounded(float(ELEMENTS["0.001, v = 0.1"][1]), limits(3)["1·10⁻⁴"])
+
+
 def test_before_and_after():
     for name, *cells in rows("before and after"):
         before, after, ratio = map(float, cells)
