@@ -19,7 +19,7 @@ namespace bench {
 
 struct ElementCollision {
   double lost_fraction = 0.0;  ///< 1 − ε² of the centre of mass
-  double contact_time = 0.0;   ///< to the last contact, R/c
+  double contact_time = 0.0;   ///< from the first to the last contact, R/c
   long steps = 0;
 };
 
@@ -27,13 +27,14 @@ class FiniteElements {
  public:
   FiniteElements(double poisson, const MeshSize& size);
 
-  /// One impact at a speed v, c, from the first touch until no node has met the wall for a while.
+  /// One impact at a speed v, in c, from the first touch until no node has met the wall for a while.
   [[nodiscard]] ElementCollision collide(double speed);
 
   /// Rayleigh's quotient uᵀKu / uᵀMu, an estimate of a mode's ω² by its displacement.
   [[nodiscard]] double rayleigh_quotient(const std::vector<Point>& displacement);
 
   [[nodiscard]] const std::vector<Point>& nodes() const { return nodes_; }
+  /// Of the half disk.
   [[nodiscard]] double mass() const { return mass_of_half_; }
 
  private:

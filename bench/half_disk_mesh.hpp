@@ -23,7 +23,7 @@ struct Point {
 };
 
 struct MeshSize {
-  int elements = 1;      ///< n, of the half square across, and 2n along the axis; 6n on the half circle make 4n angles
+  int elements = 1;      ///< n, across the half square, and 2n along the axis: 4n on the half circle
   int rings = 1;         ///< m, of elements around the square: 2n² + 4nm elements in all
   double grading = 0.0;  ///< s, 0 … below 1
 };
@@ -31,7 +31,7 @@ struct MeshSize {
 /// The nodes of an element, row by row; neighbours along a row differ in the second coordinate.
 using Element = std::array<Point, element_nodes>;
 
-/// Elements whose outer row lies on the circle have it last in each row.
+/// All elements; their nodes are counted once for each.
 [[nodiscard]] std::vector<Element> half_disk(const MeshSize& size);
 
 }  // namespace bench
