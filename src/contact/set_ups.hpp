@@ -55,9 +55,9 @@ class SetUps {
   };
   static Grid key_of(const Contact& contact, const ContactGrid& grid, double step);
 
-  static constexpr std::size_t most = std::size_t{16} << 20U;  // bytes of each
-  Recent<Key, SetUp> set_ups_{most};
-  Recent<ModesKey, ModeTables> modes_{most};
+  static constexpr std::size_t mega = std::size_t{1} << 20U;  // bytes
+  Recent<Key, SetUp> set_ups_{16 * mega};
+  Recent<ModesKey, ModeTables> modes_{3 * mega};
 };
 
 /// The tables of the modes of a contact, shared where it shares what it has made.
