@@ -12,7 +12,8 @@
 namespace stoss {
 
 double time_to_part(KeptModes modes, const std::vector<double>& recess, const Parting& parting) {
-  constexpr double most_looks = 1000.0;
+  constexpr double most = 1000.0, most_of_modes = 1e7;  // looks, and those times modes: some ten milliseconds
+  const double most_looks = std::min(most, most_of_modes / std::max(1.0, static_cast<double>(modes.count())));
   const auto [compression, velocity, range] = parting;
   const double step = modes.step();
   const double longest = std::max(0.0, (compression + range + modes.reach()) / -velocity);

@@ -37,6 +37,7 @@ class KeptModes {
   [[nodiscard]] KeptModes in_flight(std::shared_ptr<const ModeTables> steps) const;
 
   [[nodiscard]] double step() const { return tables_->step; }
+  [[nodiscard]] std::size_t count() const { return tables_->count; }
 
   /// Adds the displacement towards the wall of each node.
   void add_displacement(std::vector<double>& position);

@@ -21,18 +21,21 @@ using Lanes = std::array<double, lanes>;
 /// Four neighbours in memory, of any alignment.
 using Vector [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
 constexpr std::size_t vector = 4;
+struct Sum {
+  Vector value;
+};
 
 /// The next 4 · (number of places) elements of a product, held in registers while the rows pass: arrays of numbers
 /// would not be.
 template <std::size_t... place>
 [[gnu::always_inline]] inline void multiply_vectors(const double* matrix, std::size_t stride, std::size_t rows,
                                                     const double* x, double* result, std::index_sequence<place...>) {
-  Vector sum[sizeof...(place)] = {(static_cast<void>(place), Vector{})...};
+  std::array<Sum, sizeof...(place)> sum{};
   for (std::size_t j = 0; j < rows; ++j) {
     const auto* const row = reinterpret_cast<const Vector*>(matrix + j * stride);
-    ((sum[place] += row[place] * x[j]), ...);
+    ((sum[place].value += row[place] * x[j]), ...);
   }
-  ((reinterpret_cast<Vector*>(result)[place] = sum[place]), ...);
+  ((reinterpret_cast<Vector*>(result)[place] = sum[place].value), ...);
 }
 
 template <std::size_t width>
@@ -250,10 +253,13 @@ double largest_within(const double* x, const double* unit, double scale, std::si
 
 STOSS_MULTIVERSION
 void drift(const Masses& masses, double step, double fading, double* rest) {
-  const auto [displacement, velocity, acceleration, stretch, count] = masses;
+  double* const displacement = masses.displacement;
+  double* const velocity = masses.velocity;
+  const double* const acceleration = masses.acceleration;
+  const double* const stretch = masses.stretch;
   const double half = 0.5 * step;
 #pragma omp simd
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < masses.count; ++k) {
     displacement[k] += step * velocity[k] + half * half * acceleration[k];
     velocity[k] += half * acceleration[k];
     rest[k] = displacement[k] + fading * stretch[k];
@@ -262,10 +268,13 @@ void drift(const Masses& masses, double step, double fading, double* rest) {
 
 STOSS_MULTIVERSION
 void accelerate(const Masses& masses, double step, const double* moved) {
-  const auto [displacement, velocity, acceleration, stretch, count] = masses;
+  double* const displacement = masses.displacement;
+  double* const velocity = masses.velocity;
+  const double* const acceleration = masses.acceleration;
+  double* const stretch = masses.stretch;
   const double half = 0.5 * step;
 #pragma omp simd
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < masses.count; ++k) {
     displacement[k] += half * half * acceleration[k];
     velocity[k] += half * acceleration[k];
     stretch[k] = moved[k] - displacement[k];

@@ -12,10 +12,10 @@ namespace stoss {
 EdgeContact::EdgeContact(std::vector<double> matrix, EdgeLaw law, std::size_t size, const Poll& poll)
     : EdgeContact(std::make_shared<const FactoredCompliance>(std::move(matrix), size, poll), std::move(law), poll) {}
 
-EdgeContact::EdgeContact(std::shared_ptr<const FactoredCompliance> compliance, EdgeLaw law, const Poll& poll)
+EdgeContact::EdgeContact(std::shared_ptr<const FactoredCompliance> compliance, EdgeLaw law, Poll poll)
     : compliance_(std::move(compliance)),
       law_(std::move(law)),
-      poll_(poll),
+      poll_(std::move(poll)),
       inner_(compliance_->size()),
       closure_(compliance_->size()) {}
 

@@ -21,7 +21,7 @@ class EdgeContact {
  public:
   /// @throws NotConverged if the matrix W is not positive definite
   EdgeContact(std::vector<double> matrix, EdgeLaw law, std::size_t size, const Poll& poll);
-  EdgeContact(std::shared_ptr<const FactoredCompliance> compliance, EdgeLaw law, const Poll& poll);
+  EdgeContact(std::shared_ptr<const FactoredCompliance> compliance, EdgeLaw law, Poll poll);
 
   /// Solves for f and the displacement W f; both have `size` elements.
   /// @throws NotConverged if q is not finite, or no forces obey the law to rounding

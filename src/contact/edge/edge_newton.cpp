@@ -147,10 +147,13 @@ bool find_closures(Compliance& compliance, const EdgeLaw& law, const std::vector
     std::vector<double> next(closure.size());
     VectorXd left;
     const auto shortened = [&](const std::vector<double>& along) {
-      for (double share = 1.0; share > 1e-12; share *= 0.5) {
+      constexpr int most_halvings = 40;
+      double share = 1.0;
+      for (int halving = 0; halving < most_halvings; ++halving) {
         for (std::size_t i = 0; i < next.size(); ++i) next[i] = closure[i] + share * along[i];
         left = residual(compliance, law, q, next);
         if (norm(left, q, scale) < size) return true;
+        share *= 0.5;
       }
       return false;
     };
