@@ -13,7 +13,7 @@ namespace bench {
 namespace {
 
 /// Modes made before.
-void add_tolerance(double tolerance, const HardWallCase& at) {
+void add_tolerance(double tolerance, const ConvergedCase& at) {
   add(label("restitution", tolerance, at.speed), [tolerance, at](benchmark::State& state) {
     const double lost_fraction = time_values(state, stoss::disk(poisson), at.speed, {.tolerance = tolerance});
     if (at.speed == speed) {
@@ -71,7 +71,7 @@ void add_curves(int threads) {
 
 void add_restitutions() {
   for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
-    for (const HardWallCase& at : hard_wall_cases) add_tolerance(tolerance, at);
+    for (const ConvergedCase& at : hard_wall_cases) add_tolerance(tolerance, at);
   }
   add_shared();
   add_pair(2.0, 0.368291);

@@ -12,20 +12,6 @@
 namespace bench {
 namespace {
 
-/// Converged 1 − ε² (tests/data/sphere_restitution.csv), and the seconds that independent finite elements need for it
-/// to 0.1 %, measured on another machine; 0 where they were not run.
-struct Case {
-  double speed;
-  double lost_fraction;
-  double finite_elements_from = 0.0;
-  double finite_elements_to = 0.0;
-};
-constexpr Case cases[] = {{0.1, 0.0173464, 3.0, 9.0}, {0.05, 0.0188353, 3.0, 9.0}, {0.02, 0.00153148, 22.0, 44.0},
-                          {0.01, 0.00277848},         {1e-3, 2.398636e-4},         {1e-4, 2.494181e-5}};
-
-/// Converged 1 − ε² on a half-space of the same material.
-constexpr Case half_space_cases[] = {{0.1, 0.303066}, {0.01, 0.0786814}, {1e-3, 0.0187658}, {1e-4, 0.00459330}};
-
 /// Converged 1 − ε² on a plate of the same material (tests/data/plate_restitution.csv), by its thickness; 0 where
 /// finite elements were not run.
 struct PlateCase {
@@ -55,32 +41,28 @@ void add_modes_to(double cutoff) {
   });
 }
 
-/// To 1e-3 of 1 − ε² or to an absolute error, modes made before.
-void add_restitution(const Case& at, double absolute) {
-  add(label("restitution of a sphere, v = ", at.speed) + (absolute == 0.0 ? ", absolute 0" : ""),
-      [at, absolute](benchmark::State& state) {
-        count_apart(state, time_values(state, stoss::sphere(poisson_of_sphere), at.speed, {.absolute = absolute}),
-                    at.lost_fraction);
-        state.counters[sphere_counter] = 1.0;
-        if (at.finite_elements_to > 0.0) {
-          state.counters[quoted_from_counter] = at.finite_elements_from;
-          state.counters[quoted_to_counter] = at.finite_elements_to;
-        }
-      });
+/// To a tolerance of 1 − ε² or to an absolute error, modes made before.
+void add_restitution(const ConvergedCase& at, const stoss::RestitutionOptions& options) {
+  const std::string name = label(label("restitution of a sphere to ", options.tolerance) + ", v = ", at.speed);
+  add(name + (options.absolute == 0.0 ? ", absolute 0" : ""), [at, options](benchmark::State& state) {
+    count_apart(state, time_values(state, stoss::sphere(poisson_of_sphere), at.speed, options), at.lost_fraction);
+    count_sphere_task(state, false, at.speed, options.tolerance);
+  });
 }
 
-/// To 1e-3, with all that must be made for it.
-void add_half_space(const Case& at) {
-  add(label("restitution of a sphere on a half-space, set-up included, v = ", at.speed), [at](benchmark::State& state) {
+/// With all that must be made for it.
+void add_half_space(const ConvergedCase& at, double tolerance) {
+  const std::string name = label("restitution of a sphere on a half-space to ", tolerance);
+  add(label(name + ", set-up included, v = ", at.speed), [at, tolerance](benchmark::State& state) {
     const auto made = [] {
       return stoss::RefinableContact(stoss::sphere(poisson_of_sphere),
                                      stoss::half_space(stoss::HalfSpace{poisson_of_sphere}));
     };
     stoss::Restitution result;
-    for (auto _ : state) result = stoss::restitution(made(), at.speed);
+    for (auto _ : state) result = stoss::restitution(made(), at.speed, {.tolerance = tolerance});
     count_apart(state, result.lost_fraction.value, at.lost_fraction);
     count_work(state, made(), at.speed, result);
-    state.counters[sphere_counter] = 1.0;
+    count_sphere_task(state, true, at.speed, tolerance);
   });
 }
 
@@ -126,11 +108,15 @@ void add_distribution(double at) {
 
 void add_spheres() {
   for (const double cutoff : {100.0, 400.0}) add_modes_to(cutoff);
-  for (const Case& at : cases) add_restitution(at, stoss::RestitutionOptions{}.absolute);
-  for (const Case& at : cases) {
-    if (at.lost_fraction < 1e-3) add_restitution(at, 0.0);  // there the tolerance asks for more than the default
+  for (const double tolerance : {1e-2, 1e-3}) {
+    for (const ConvergedCase& at : sphere_cases) add_restitution(at, {.tolerance = tolerance});
   }
-  for (const Case& at : half_space_cases) add_half_space(at);
+  for (const ConvergedCase& at : sphere_cases) {
+    if (at.lost_fraction < 1e-3) add_restitution(at, {.absolute = 0.0});  // there the tolerance asks for more
+  }
+  for (const double tolerance : {1e-2, 1e-3}) {
+    for (const ConvergedCase& at : half_space_cases) add_half_space(at, tolerance);
+  }
   for (const PlateCase& at : plate_cases) add_plate(at);
   for (const double at : {0.1, 0.01}) add_distribution(at);
 }

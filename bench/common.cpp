@@ -38,6 +38,12 @@ void count_task(benchmark::State& state, double at, double tolerance) {
   state.counters[tolerance_counter] = tolerance;
 }
 
+void count_sphere_task(benchmark::State& state, bool on_half_space, double at, double tolerance) {
+  state.counters[sphere_counter] = 1.0;
+  state.counters[obstacle_counter] = on_half_space ? 1.0 : 0.0;
+  count_task(state, at, tolerance);
+}
+
 void count_work(benchmark::State& state, const stoss::RefinableContact& contact, double at,
                 const stoss::Restitution& result) {
   double work = 0.0;

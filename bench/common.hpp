@@ -10,9 +10,6 @@
 
 namespace bench {
 
-/// The Poisson's ratio of spheres.
-inline constexpr double poisson_of_sphere = 0.3;
-
 /// The benchmark to whose time the others are compared.
 inline constexpr const char* reference_name = "the paper's protocol";
 
@@ -25,12 +22,11 @@ inline constexpr const char* sphere_counter = "sphere";
 inline constexpr const char* tangential_counter = "tangential_restitution";
 inline constexpr const char* rival_counter = "rival";      ///< of the oblique impacts that follow
 inline constexpr const char* answers_counter = "answers";  ///< how many times the rival would run
+inline constexpr const char* obstacle_counter = "on a half-space";
 inline constexpr const char* speed_counter = "v";
 inline constexpr const char* tolerance_counter = "to";
 inline constexpr const char* elements_counter = "finite elements";  ///< the rival to the same tolerance at this speed
 inline constexpr const char* to_elements_counter = "ratio to finite elements";
-inline constexpr const char* quoted_from_counter = "finite elements from [s]";
-inline constexpr const char* quoted_to_counter = "finite elements to [s]";
 inline constexpr const char* work_counter = "multiply-adds";
 inline constexpr const char* peak_counter = "peak";  ///< of the machine
 
@@ -57,8 +53,9 @@ void add(const std::string& name, Function function) {
 void count(benchmark::State& state, double lost_fraction);
 void count_apart(benchmark::State& state, double lost_fraction, double converged);
 
-/// Counters of a row that has a rival to the same relative tolerance at the same speed.
+/// Counters of a row that has a rival to the same relative tolerance at the same speed, and of a row about spheres.
 void count_task(benchmark::State& state, double at, double tolerance);
+void count_sphere_task(benchmark::State& state, bool on_half_space, double at, double tolerance);
 
 /// Counter of the work of a result, Σ steps × modes × points over its runs: what its physics asks for at least as long
 /// as every mode is moved by the force at every point in every step.

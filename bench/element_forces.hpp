@@ -4,29 +4,11 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
-#include "half_disk_mesh.hpp"
+#include "elements.hpp"
 
 namespace bench {
-
-/// d/dr of the polynomial that is 1 at one point and 0 at the others, at all points: derivative[point][polynomial].
-inline constexpr auto derivative = [] {
-  std::array<std::array<double, element_side>, element_side> result{};
-  const auto& x = lobatto_points;
-  for (std::size_t i = 0; i < element_side; ++i) {
-    for (std::size_t j = 0; j < element_side; ++j) {
-      for (std::size_t k = 0; k < element_side; ++k) {
-        if (k == j) continue;
-        double product = 1.0 / (x[j] - x[k]);
-        for (std::size_t l = 0; l < element_side; ++l) {
-          if (l != j && l != k) product *= (x[i] - x[l]) / (x[j] - x[l]);
-        }
-        result[i][j] += product;
-      }
-    }
-  }
-  return result;
-}();
 
 /// Whether a node belongs to no other element.
 constexpr bool is_inner(std::size_t node) {
@@ -45,14 +27,28 @@ struct ElementGroup {
   std::size_t inner;
 };
 
-/// σ_xx = normal ε_xx + lateral ε_zz, σ_xz = 2 shear ε_xz.
+/// What a circumference adds where all is symmetric about an axis: ε_θθ = u_x/x. The factor of u_x, 1/x times
+/// √(weight), is 0 on the axis itself, where ε_θθ = ε_xx.
+struct HoopGroup {
+  ElementGroup::Lanes slope[element_nodes];
+};
+
+/// σ_xx = normal ε_xx + lateral (ε_zz + ε_θθ), σ_xz = 2 shear ε_xz, and likewise.
 struct Moduli {
   double normal, lateral, shear;
 };
 
+/// Elements of one body: in plane stress, without hoops; or about an axis, with as many hoops as groups, and those
+/// first that touch it.
+struct Groups {
+  std::vector<ElementGroup> all;
+  std::vector<HoopGroup> hoops;
+  std::size_t at_axis = 0;
+};
+
 /// Sets the forces at inner nodes, and adds to those at others.
 /// @param displacement of all `count` nodes, across, then towards the wall; forces likewise
-void add_forces(const ElementGroup* groups, std::size_t number, const Moduli& moduli, std::size_t count,
-                const double* displacement, double* force);
+void add_forces(const Groups& groups, const Moduli& moduli, std::size_t count, const double* displacement,
+                double* force);
 
 }  // namespace bench

@@ -15,27 +15,46 @@ constexpr std::size_t lanes = ElementGroup::lanes;
 constexpr std::size_t inner_nodes = (side - 2) * (side - 2);
 constexpr double same_place = 1e-8;  // nodes are further apart; coordinates of one agree much better
 
+Moduli moduli_of(Symmetry symmetry, double poisson) {
+  const double shear = 0.5 / (1.0 + poisson);
+  if (symmetry == Symmetry::plane) {  // plane stress
+    const double normal = 1.0 / (1.0 - poisson * poisson);
+    return {normal, poisson * normal, shear};
+  }
+  const double lateral = poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
+  return {lateral + 2.0 * shear, lateral, shear};
+}
+
 struct Metric {
-  double weight;
+  double weight;                // of a sphere per 2π
   std::array<double, 4> slope;  // as ElementGroup::slope
+  double hoop;                  // as HoopGroup::slope
 };
 
-Metric metric_at(const Element& element, std::size_t node) {
+Metric metric_at(Symmetry symmetry, const Element& element, std::size_t node) {
+  const SpectralRule& rule = element.at_axis ? lobatto_at_axis : lobatto;
   const std::size_t row = node / side;
   const std::size_t column = node % side;
   Point r, s;  // ∂/∂r and ∂/∂s of the position
   for (std::size_t k = 0; k < side; ++k) {
-    const Point& above = element[k * side + column];
-    const Point& beside = element[row * side + k];
-    r.across += derivative[row][k] * above.across;
-    r.towards += derivative[row][k] * above.towards;
-    s.across += derivative[column][k] * beside.across;
-    s.towards += derivative[column][k] * beside.towards;
+    const Point& above = element.nodes[k * side + column];
+    const Point& beside = element.nodes[row * side + k];
+    r.across += rule.derivative[row][k] * above.across;
+    r.towards += rule.derivative[row][k] * above.towards;
+    s.across += lobatto.derivative[column][k] * beside.across;
+    s.towards += lobatto.derivative[column][k] * beside.towards;
   }
   const double jacobian = r.across * s.towards - r.towards * s.across;
-  const double weight = lobatto_weights[row] * lobatto_weights[column] * std::abs(jacobian);
-  const double scale = std::sqrt(weight) / jacobian;
-  return {weight, {scale * s.towards, -scale * r.towards, -scale * s.across, scale * r.across}};
+  const bool on_axis = element.at_axis && row == 0;
+  const double radius = element.nodes[node].across;
+  double weight = rule.weights[row] * lobatto.weights[column] * std::abs(jacobian);
+  if (symmetry == Symmetry::axial)
+    weight *= on_axis ? r.across : element.at_axis ? radius / (1.0 + rule.points[row]) : radius;
+  const double root = std::sqrt(weight);
+  const double scale = root / jacobian;
+  return {weight,
+          {scale * s.towards, -scale * r.towards, -scale * s.across, scale * r.across},
+          symmetry == Symmetry::axial && !on_axis ? root / radius : 0.0};
 }
 
 /// One step of all nodes without a wall; leaves no force.
@@ -52,9 +71,9 @@ void move(std::size_t count, double step, const double* inverse_mass, double* fo
 
 }  // namespace
 
-FiniteElements::FiniteElements(double poisson, const MeshSize& size)
-    : moduli_{1.0 / (1.0 - poisson * poisson), poisson / (1.0 - poisson * poisson), 0.5 / (1.0 + poisson)} {
-  place(half_disk(size));
+FiniteElements::FiniteElements(Symmetry symmetry, double poisson, const std::vector<Element>& elements)
+    : symmetry_(symmetry), moduli_(moduli_of(symmetry, poisson)) {
+  place(elements);
   const std::size_t count = nodes_.size();
   for (std::vector<double>* all : {&inverse_mass_, &displacement_, &velocity_, &force_}) all->assign(2 * count, 0.0);
   for (std::size_t i = 0; i < count; ++i) {
@@ -62,18 +81,25 @@ FiniteElements::FiniteElements(double poisson, const MeshSize& size)
     if (nodes_[i].across > same_place) inverse_mass_[i] = 1.0 / mass_[i];
     inverse_mass_[count + i] = 1.0 / mass_[i];
   }
+  towards_ = displacement_.data() + count;
   find_step();
 }
 
 /// Numbers the nodes, and fills the groups.
 void FiniteElements::place(const std::vector<Element>& elements) {
-  groups_.resize((elements.size() + lanes - 1) / lanes);  // the last may have empty lanes, without slopes
-  const std::size_t inner = groups_.size() * lanes * inner_nodes;
+  const auto groups_for = [](std::ptrdiff_t number) { return (static_cast<std::size_t>(number) + lanes - 1) / lanes; };
+  const auto at_axis = std::count_if(elements.begin(), elements.end(), [](const Element& e) { return e.at_axis; });
+  groups_.at_axis = groups_for(at_axis);
+  // The last groups at and beside the axis may have empty lanes, without slopes.
+  std::vector<ElementGroup>& groups = groups_.all;
+  groups.resize(groups_.at_axis + groups_for(std::ssize(elements) - at_axis));
+  if (symmetry_ == Symmetry::axial) groups_.hoops.resize(groups.size());
+  const std::size_t inner = groups.size() * lanes * inner_nodes;
   nodes_.resize(inner + 1);  // one more, for empty lanes
   mass_.assign(nodes_.size(), 0.0);
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    groups_[g].inner = g * lanes * inner_nodes;
-    for (auto& places : groups_[g].rim) places.fill(inner);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    groups[g].inner = g * lanes * inner_nodes;
+    for (auto& places : groups[g].rim) places.fill(inner);
   }
   std::map<std::pair<long, long>, std::size_t> known;
   const auto on_rim = [&](const Point& point) {
@@ -87,32 +113,34 @@ void FiniteElements::place(const std::vector<Element>& elements) {
     const std::size_t place = known[{x, z}] = nodes_.size();
     nodes_.push_back(point);
     mass_.push_back(0.0);
-    const double radius = std::hypot(point.across, point.towards);
-    if (point.towards > 0.0 && radius > 1.0 - same_place) edge_.push_back(place);
     return place;
   };
-  for (std::size_t e = 0; e < elements.size(); ++e) {
-    ElementGroup& group = groups_[e / lanes];
-    const std::size_t lane = e % lanes;
+  std::size_t next_beside = groups_.at_axis * lanes;
+  std::size_t next_at_axis = 0;
+  for (const Element& element : elements) {
+    const std::size_t slot = element.at_axis ? next_at_axis++ : next_beside++;
+    ElementGroup& group = groups[slot / lanes];
+    const std::size_t lane = slot % lanes;
     std::size_t next = group.inner + lane;
     for (std::size_t node = 0; node < element_nodes; ++node) {
       std::size_t place = next;
       if (is_inner(node)) {
         next += lanes;
-        nodes_[place] = elements[e][node];
+        nodes_[place] = element.nodes[node];
       } else {
-        place = group.rim[node][lane] = on_rim(elements[e][node]);
+        place = group.rim[node][lane] = on_rim(element.nodes[node]);
       }
-      const Metric metric = metric_at(elements[e], node);
+      const Metric metric = metric_at(symmetry_, element, node);
       for (std::size_t i = 0; i < 4; ++i) group.slope[node][i][lane] = metric.slope[i];
+      if (symmetry_ == Symmetry::axial) groups_.hoops[slot / lanes].slope[node][lane] = metric.hoop;
       mass_[place] += metric.weight;
-      mass_of_half_ += metric.weight;
+      all_mass_ += metric.weight;
     }
   }
 }
 
 void FiniteElements::add_forces() {
-  bench::add_forces(groups_.data(), groups_.size(), moduli_, nodes_.size(), displacement_.data(), force_.data());
+  bench::add_forces(groups_, moduli_, nodes_.size(), displacement_.data(), force_.data());
 }
 
 /// As long as is stable, 2/ω of the highest frequency, less a margin; by power iteration.
@@ -151,34 +179,23 @@ double FiniteElements::rayleigh_quotient(const std::vector<Point>& displacement)
   return stiffness / inertia;
 }
 
-ElementCollision FiniteElements::collide(double speed) {
-  const std::size_t count = nodes_.size();
+void FiniteElements::start(double velocity) {
+  const auto half = static_cast<std::ptrdiff_t>(nodes_.size());
   std::fill(displacement_.begin(), displacement_.end(), 0.0);
   std::fill(force_.begin(), force_.end(), 0.0);
-  std::fill(velocity_.begin(), velocity_.begin() + static_cast<std::ptrdiff_t>(count), 0.0);
-  std::fill(velocity_.begin() + static_cast<std::ptrdiff_t>(count), velocity_.end(), speed);
-  double* const towards = displacement_.data() + count;
-  double* const velocity = velocity_.data() + count;
-  double impulse = 0.0;
-  ElementCollision result;
-  constexpr double longest = 50.0;  // R/c
-  constexpr double quiet = 0.3;     // without contact; shorter breaks were at most 0.05
-  for (double time = 0.0; time < std::min(longest, result.contact_time + quiet); ++result.steps) {
-    add_forces();
-    move(2 * count, step_, inverse_mass_.data(), force_.data(), velocity_.data(), displacement_.data());
-    time += step_;
-    for (const std::size_t node : edge_) {
-      const double beyond = towards[node] - (1.0 - nodes_[node].towards);
-      if (beyond <= 0.0) continue;
-      towards[node] -= beyond;
-      velocity[node] -= beyond / step_;
-      impulse += mass_[node] * beyond / step_;
-      result.contact_time = time;
-    }
-  }
-  const double after = 1.0 - impulse / (mass_of_half_ * speed);  // velocity over v
-  result.lost_fraction = 1.0 - after * after;
-  return result;
+  std::fill(velocity_.begin(), velocity_.begin() + half, 0.0);
+  std::fill(velocity_.begin() + half, velocity_.end(), velocity);
+}
+
+void FiniteElements::advance(double step) {
+  add_forces();
+  move(force_.size(), step, inverse_mass_.data(), force_.data(), velocity_.data(), displacement_.data());
+}
+
+double FiniteElements::push(std::size_t node, double more, double step) {
+  towards_[node] += more;
+  velocity_[nodes_.size() + node] += more / step;
+  return mass_[node] * more / step;
 }
 
 }  // namespace bench

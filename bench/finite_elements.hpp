@@ -1,56 +1,64 @@
-// A second rival: finite elements, which share nothing with stoss but the problem (docs/theory/walls.md). An elastic
-// disk in plane stress, R = c = ρ = 1, E = 1, meets a rigid wall without friction:
+// Finite elements of one elastic body, the second rival of stoss, which share nothing with it but the problem
+// (docs/theory/walls.md). R = c = ρ = E = 1:
 //
-//   M ü = −K u + f,   u_z(φ) ≤ 1 − cos φ on the edge,   f ≥ 0 there only where they are equal.
+//   M ü = −K u + f.
 //
-// Spectral elements of order 4 with the Gauss–Lobatto rule, hence a diagonal M, on half the disk; central differences.
-// After each step, nodes beyond the wall are put on it and stop, and the momentum that this takes is the wall's
-// impulse. As fast as we know: no matrix is assembled, sums factorise over rows and columns, four elements are computed
-// at a time, side by side in vector registers, and the mesh is finest at the contact and coarse inside.
+// Spectral elements of order 4, whose points are those of the quadrature, hence a diagonal M; central differences. As
+// fast as we know: no matrix is assembled, sums factorise over rows and columns, and four elements are computed at a
+// time, side by side in vector registers.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
 #include "element_forces.hpp"
-#include "half_disk_mesh.hpp"
+#include "elements.hpp"
 
 namespace bench {
 
-struct ElementCollision {
-  double lost_fraction = 0.0;  ///< 1 − ε² of the centre of mass
-  double contact_time = 0.0;   ///< from the first to the last contact, R/c
-  long steps = 0;
-};
-
 class FiniteElements {
  public:
-  FiniteElements(double poisson, const MeshSize& size);
+  FiniteElements(Symmetry symmetry, double poisson, const std::vector<Element>& elements);
 
-  /// One impact at a speed v, in c, from the first touch until no node has met the wall for a while.
-  [[nodiscard]] ElementCollision collide(double speed);
+  /// At rest in its undeformed shape but for a velocity towards the contact, of all nodes.
+  void start(double velocity);
+
+  /// One step of all nodes, without contact.
+  void advance(double step);
+
+  /// Moves a node towards the contact by so much more, and what that is in the last step of its velocity.
+  /// @return the impulse that does it
+  double push(std::size_t node, double more, double step);
+
+  /// Where a node is now, towards the contact.
+  [[nodiscard]] double towards(std::size_t node) const { return nodes_[node].towards + towards_[node]; }
 
   /// Rayleigh's quotient uᵀKu / uᵀMu, an estimate of a mode's ω² by its displacement.
   [[nodiscard]] double rayleigh_quotient(const std::vector<Point>& displacement);
 
+  /// Undeformed.
   [[nodiscard]] const std::vector<Point>& nodes() const { return nodes_; }
-  /// Of the half disk.
-  [[nodiscard]] double mass() const { return mass_of_half_; }
+  /// Of a node: of half a disk, or of a body about an axis over 2π.
+  [[nodiscard]] double mass(std::size_t node) const { return mass_[node]; }
+  [[nodiscard]] double mass() const { return all_mass_; }
+  /// As long as is stable, less a margin.
+  [[nodiscard]] double step() const { return step_; }
 
  private:
   void place(const std::vector<Element>& elements);
   void find_step();
   void add_forces();
 
+  Symmetry symmetry_;
   Moduli moduli_;
   std::vector<Point> nodes_;
-  std::vector<ElementGroup> groups_;
-  std::vector<std::size_t> edge_;  // nodes on the half circle
-  std::vector<double> mass_;       // of each node
-  double mass_of_half_ = 0.0;
+  Groups groups_;
+  std::vector<double> mass_;  // of each node
+  double all_mass_ = 0.0;
   double step_ = 0.0;
-  // Across, then towards the wall, as all vectors here: of nodes that cannot move so, 1/mass is 0.
+  // Across, then towards the contact, as all vectors here: of nodes that cannot move so, 1/mass is 0.
   std::vector<double> inverse_mass_, displacement_, velocity_, force_;
+  double* towards_ = nullptr;  // the second half of the displacement
 };
 
 }  // namespace bench

@@ -31,16 +31,17 @@ Point graded(const Point& point, double grading) {
 
 }  // namespace
 
-std::vector<Element> half_disk(const MeshSize& size) {
+std::vector<Element> half_disk(Symmetry symmetry, const MeshSize& size) {
   std::vector<Element> elements;
-  const auto add_block = [&](int rows, int columns, const auto& at) {  // `at` maps a unit square
+  const auto add_block = [&](bool at_axis, int rows, int columns, const auto& at) {  // `at` maps a unit square
     for (int row = 0; row < rows; ++row) {
       for (int column = 0; column < columns; ++column) {
-        Element element;
+        Element element{{}, symmetry == Symmetry::axial && at_axis && row == 0};
+        const SpectralRule& along_r = element.at_axis ? lobatto_at_axis : lobatto;
         for (std::size_t node = 0; node < element_nodes; ++node) {
-          const double p = (row + 0.5 + 0.5 * lobatto_points[node / element_side]) / rows;
-          const double q = (column + 0.5 + 0.5 * lobatto_points[node % element_side]) / columns;
-          element[node] = graded(at(p, q), size.grading);
+          const double p = (row + 0.5 + 0.5 * along_r.points[node / element_side]) / rows;
+          const double q = (column + 0.5 + 0.5 * lobatto.points[node % element_side]) / columns;
+          element.nodes[node] = graded(at(p, q), size.grading);
         }
         elements.push_back(element);
       }
@@ -48,12 +49,14 @@ std::vector<Element> half_disk(const MeshSize& size) {
   };
   constexpr double corner = 0.25 * std::numbers::pi;
   const int n = size.elements;
-  add_block(n, 2 * n, [](double p, double q) { return in_square(p, 2.0 * q - 1.0); });
-  add_block(n, size.rings, [](double p, double q) { return in_rings(p, 1.0, corner * p, q); });
-  add_block(2 * n, size.rings,
+  add_block(true, n, 2 * n, [](double p, double q) { return in_square(p, 2.0 * q - 1.0); });
+  add_block(true, n, size.rings, [](double p, double q) { return in_rings(p, 1.0, corner * p, q); });
+  add_block(false, 2 * n, size.rings,
             [](double p, double q) { return in_rings(1.0, 1.0 - 2.0 * p, corner * (1.0 + 2.0 * p), q); });
-  add_block(n, size.rings, [](double p, double q) { return in_rings(1.0 - p, -1.0, corner * (3.0 + p), q); });
+  add_block(true, n, size.rings, [](double p, double q) { return in_rings(p, -1.0, corner * (4.0 - p), q); });
   return elements;
 }
+
+Point on_edge(double angle, const MeshSize& size) { return graded({std::sin(angle), std::cos(angle)}, size.grading); }
 
 }  // namespace bench

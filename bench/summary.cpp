@@ -84,8 +84,6 @@ void Summary::ReportRuns(const std::vector<Run>& reports) {
     row.lost_fraction = find(run.counters, lost_fraction_counter);
     row.error = find(run.counters, error_counter);
     row.sphere = find(run.counters, sphere_counter).has_value();
-    row.quoted_from = find(run.counters, quoted_from_counter);
-    row.quoted_to = find(run.counters, quoted_to_counter);
     if (rows_.empty() && row.name == reference_name) row.ratio = 1.0;
     if (!rows_.empty() && rows_.front().name == reference_name && row.lost_fraction &&
         !find(run.counters, apart_counter)) {
@@ -93,7 +91,8 @@ void Summary::ReportRuns(const std::vector<Run>& reports) {
     }
     const std::optional<double> at = find(run.counters, speed_counter);
     if (const std::optional<double> tolerance = find(run.counters, tolerance_counter); at && tolerance) {
-      const std::pair task(*at, *tolerance);
+      const std::array task{row.sphere ? 1.0 : 0.0, find(run.counters, obstacle_counter).value_or(0.0), *at,
+                            *tolerance};
       if (find(run.counters, elements_counter)) elements_[task] = row.milliseconds;
       if (const auto found = elements_.find(task); found != elements_.end()) {
         row.to_elements = found->second / row.milliseconds;
@@ -147,24 +146,16 @@ void Summary::write_spheres(std::ostream& out) const {
   out << "\nSphere, ν = " << poisson_of_sphere
       << ", default tolerances unless the row says otherwise. Error: relative, of 1−ε² against "
       << "tests/data/sphere_restitution.csv.\n"
-      << "Finite elements: seconds to 0.1 %, quoted from another machine. Ratio: their time / time. "
+      << "To elements: time of finite elements, to the same tolerance at the same speed, / time. "
       << explanation_of_peak << "\n\n"
-      << "| benchmark | ms | 1−ε² | error | finite elements, s | ratio | of peak |\n"
-      << "|---|---:|---:|---:|---:|---:|---:|\n";
+      << "| benchmark | ms | 1−ε² | error | to elements | of peak |\n"
+      << "|---|---:|---:|---:|---:|---:|\n";
   for (const Row& row : rows_) {
     if (!row.sphere) continue;
     std::optional<double> relative;
     if (row.error) relative = *row.error / *row.lost_fraction;
     out << "| " << row.name << " | " << cell(row.milliseconds, 2) << " | " << scientific(row.lost_fraction, 4) << " | "
-        << scientific(relative, 0) << " | ";
-    if (row.quoted_to) {
-      const double seconds = 1e-3 * row.milliseconds;
-      out << cell(row.quoted_from, 0) << " … " << cell(row.quoted_to, 0) << " | " << cell(*row.quoted_from / seconds, 0)
-          << " … " << cell(*row.quoted_to / seconds, 0);
-    } else {
-      out << "– | –";
-    }
-    out << " | " << percent(row.of_peak) << " |\n";
+        << scientific(relative, 0) << " | " << cell(row.to_elements, 2) << " | " << percent(row.of_peak) << " |\n";
   }
 }
 

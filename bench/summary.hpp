@@ -2,11 +2,11 @@
 
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <iosfwd>
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace bench {
@@ -20,9 +20,8 @@ struct Row {
   std::optional<double> ratio;        ///< the reference's time over this one's
   std::optional<double> to_elements;  ///< the time of finite elements for the same task over this one's
   bool sphere = false;
-  std::optional<double> tangential;              ///< ε_t of an oblique impact, whose ratio is that to the last rival's
-  std::optional<double> quoted_from, quoted_to;  ///< a rival's time in seconds, as quoted
-  std::optional<double> of_peak;                 ///< work per time over the machine's peak
+  std::optional<double> tangential;  ///< ε_t of an oblique impact, whose ratio is that to the last rival's
+  std::optional<double> of_peak;     ///< work per time over the machine's peak
 };
 
 /// Prints the medians as they come, with the ratio of times as a counter, and keeps them.
@@ -43,9 +42,9 @@ class Summary final : public benchmark::ConsoleReporter {
   void write_oblique(std::ostream& out) const;
 
   std::vector<Row> rows_;
-  std::map<std::pair<double, double>, double> elements_;  // milliseconds, by speed and tolerance
-  double rival_ = 0.0;                                    // milliseconds
-  double peak_ = 0.0;                                     // multiply–adds in a millisecond
+  std::map<std::array<double, 4>, double> elements_;  // milliseconds, by shape, obstacle, speed and tolerance
+  double rival_ = 0.0;                                // milliseconds
+  double peak_ = 0.0;                                 // multiply–adds in a millisecond
   bool failed_ = false;
 };
 
