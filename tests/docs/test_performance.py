@@ -74,9 +74,16 @@ def test_claims_about_finite_elements():
 
 
 def test_before_and_after():
+    shown = {}
     for name, *cells in rows("before and after"):
         before, after, ratio = map(float, cells)
         assert after / before == pytest.approx(ratio, abs=0.011), name
+        shown[name] = ratio
+    longer = [shown.pop(f"disk, v = 0.01, to {tolerance}") for tolerance in ("10⁻³", "10⁻⁴")]
+    single = [ratio for name, ratio in shown.items() if re.match("disk|sphere", name)]
+    changes = page("CHANGELOG.md")[1]
+    assert f"most take {min(single):.1f} to {max(single):.1f} of the time" in changes
+    assert "a disk at v = 0.01 takes {:.1f} times as long to 10⁻³, and {:.1f} times to 10⁻⁴".format(*longer) in changes
 
 
 def limits(column):
