@@ -1,11 +1,11 @@
 """How stoss.sweep scales: cases per second of one process, of as many as there are cores, and of twice as many.
 
 Run:     build/venv/bin/python bench/sweep_scaling.py [--processes N,…] [--cases N] [--only apart,local,mpi,dask]
-Prints:  the table of docs/sweeps.md.
+Prints:  a table of eight columns, five of which are in docs/sweeps.md, from runs with other --cases.
 
-Each row is two sweeps into new stores, by a process of their own: one of so many spheres on a wall, one of three times
-as many, which takes longer by what the additional cases cost. The time for which processes start and import is not in
-it; it is in a column of its own.
+Each row is two sweeps into new stores, by a process of their own: one of so many spheres on a wall (--cases, without
+which they are 60 for each core), one of three times as many, which takes longer by what the additional cases cost. A
+row so rests on twice --cases. The time for which processes start and import is not in it; it is in a column of its own.
 
 `elapsed` is 1 where N processes do N times as many cases in a second as one. It means nothing where others use the
 machine. `efficiency` is the same by processor time, in which there is no other load: t₁/(t_N + (N − 1) h), with the

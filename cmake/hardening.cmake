@@ -1,6 +1,7 @@
 # What makes a memory error less useful to an attacker, where the tools have it: bounds of buffers that the C library
 # checks, in optimised code only; addresses of functions that are read-only from the start; stacks that are no code.
-# Programs are position-independent as compilers make them by default. tests/cli/test_hardened.py looks at what is built.
+# Programs are position-independent as compilers make them by default. What is built is looked at by
+# tests/cli/test_hardened.py and tests/portable/test_guarded.py.
 include(CheckCXXCompilerFlag)
 include(CheckLinkerFlag)
 

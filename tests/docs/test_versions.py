@@ -38,6 +38,12 @@ def test_packages_read_the_version_from_the_project():
     assert "@VERSION@" in read("cli/stoss.1.in") and "@PROJECT_VERSION@" in read("cmake/stoss.pc.in")
 
 
+def test_cmake_asks_for_the_python_of_the_package():
+    needed = re.search(r'^requires-python = ">=(\S+)"$', read("pyproject.toml"), re.MULTILINE)[1]
+    for name in ("python/CMakeLists.txt", "bench/CMakeLists.txt", "tests/CMakeLists.txt"):
+        assert set(re.findall(r"find_package\(Python (\S+)", read(name))) == {needed}, name
+
+
 def test_the_number_of_the_shared_library_is_its_own_and_is_documented():
     assert re.search(r"\n  SOVERSION \$\{STOSS_SOVERSION\}\)", PROJECT)
     assert f"`libstoss.so.{SOVERSION}`" in page("docs/versions.md")[0]

@@ -29,7 +29,7 @@ class Restitution(ImpactsInSi):
     Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
     broadcast: then ``len()`` is the length of the first axis, and indices select as in numpy. The
     estimated errors are bounds: in the validation 97 % or more of the true errors are within them,
-    for fast disks (above 0.1 c) 91 %.
+    for fast disks (0.1 to 0.6 c) 92 % at the tolerance 10⁻³ and 91 % at 10⁻⁴.
 
     Attributes:
         body (Disk, Sphere, Rod, ModalBody or None): The first; all units are its own. None if there are
