@@ -7,6 +7,7 @@ import dataclasses
 import math
 import os
 import re
+import reprlib
 from types import MappingProxyType
 from typing import Any, Iterator, Mapping
 
@@ -108,7 +109,7 @@ def read_csv(path: str | os.PathLike[str]) -> Table:
             text = stream.read()
         except UnicodeDecodeError:
             raise _foreign(name) from None
-    first = re.match(r"# stoss (\d\S*): (.+)\n", text)
+    first = re.match(rf"# stoss ({_formats.VERSION}): (.+)\n", text, re.ASCII)
     if not first:
         raise _foreign(name)
     _formats.require_readable("path", name, first.group(1))
@@ -119,7 +120,10 @@ def read_csv(path: str | os.PathLike[str]) -> Table:
     parts = (line[2:].partition(":") for line in head)
     inputs = {key: value.removeprefix(" ") for key, _, value in parts}
     body = [line for line in lines if not line.startswith("#")]
-    rows = list(csv.reader(body))
+    try:
+        rows = list(csv.reader(body))
+    except csv.Error as problem:
+        raise _damaged(name, str(problem)) from None
     if not rows:
         raise _damaged(name, "it has no line of column names")
     columns, units = _named(name, rows[0])
@@ -146,7 +150,7 @@ def _named(path: str, cells: list[str]) -> tuple[list[str], dict[str, str]]:
     for cell in cells:
         found = COLUMN.fullmatch(cell)
         if not found or found.group(1) in names:
-            raise _damaged(path, f"{cell!r} is no name of a column, or there twice")
+            raise _damaged(path, f"{reprlib.repr(cell)} is no name of a column, or there twice")
         names.append(found.group(1))
         if found.group(2):
             units[found.group(1)] = found.group(2)
@@ -158,6 +162,8 @@ def _array(path: str, name: str, cells: tuple[str, ...] | list[str]) -> NDArray[
     if cells and set(cells) <= {"true", "false"}:
         return np.array([cell == "true" for cell in cells])
     if name in WHOLE and all(re.fullmatch(r"[-+]?\d+", cell) for cell in cells):
+        if max(map(len, cells), default=0) > 18:
+            raise _damaged(path, f"a number in column {name} is too large")
         return np.array(cells, dtype=np.int64)
     values = [_number(cell) for cell in cells]
     wrong = [cell for cell, value in zip(cells, values) if value is None]
@@ -165,7 +171,7 @@ def _array(path: str, name: str, cells: tuple[str, ...] | list[str]) -> NDArray[
         return np.array(values, dtype=np.float64)
     if len(wrong) == len(cells):  # words
         return np.array(cells, dtype=object)
-    raise _damaged(path, f"{wrong[0]!r} in column {name} is no number")
+    raise _damaged(path, f"{reprlib.repr(wrong[0])} in column {reprlib.repr(name)} is no number")
 
 
 def _number(cell: str) -> float | None:

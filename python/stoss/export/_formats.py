@@ -11,13 +11,16 @@ GRID = "stoss grid 1"
 SWEEP = "stoss sweep 1"
 RULE = "stoss collision rule 1"
 
+VERSION = r"\d{1,9}[\w.+~-]{0,40}"
+"""How the version of the stoss that has written a file looks, in ASCII."""
+
 
 def require(name: str, given: object, own: str) -> None:
     """Refuse another format than our own, and say so if it is of a later version."""
     if given == own:
         return
     title, _, version = own.rpartition(" ")
-    found = re.fullmatch(rf"{re.escape(title)} ([1-9]\d*)", given) if isinstance(given, str) else None
+    found = re.fullmatch(rf"{re.escape(title)} ([1-9]\d{{0,8}})", given) if isinstance(given, str) else None
     hint = " (written by a later stoss)" if found and int(found[1]) > int(version) else ""
     raise InvalidInput(f"{name}: got {str(given)[:60]!r}, allowed {own!r}{hint}")
 

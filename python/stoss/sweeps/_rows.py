@@ -8,13 +8,15 @@ import re
 from pathlib import Path
 from typing import Any, Iterable, Iterator, NamedTuple, Tuple
 
+import numpy as np
+
 from stoss import _core
 from stoss._errors import InvalidInput
 from stoss.export import _formats
 from stoss.export._text import UNKNOWN
 from stoss.sweeps._computation import Computation
 
-ORIGIN = re.compile(r"# stoss (\S+): sweep")
+ORIGIN = re.compile(rf"# stoss ({_formats.VERSION}): sweep", re.ASCII)
 
 Row = Tuple[Any, ...]
 
@@ -24,7 +26,7 @@ class Layout:
 
     def __init__(self, computation: Computation) -> None:
         self.axes, self.columns = computation.axes, computation.columns
-        self.kinds = [computation.row[name].kind for name in self.columns]
+        self.types = [computation.row[name] for name in self.columns]
         self.header = ",".join(("case", *self.axes, *self.columns))
 
 
@@ -78,7 +80,7 @@ def _stored(file: Path, lines: Iterable[bytes], layout: Layout, mix: bool) -> It
                 if key not in cases:
                     raise ValueError
                 point = tuple(map(float, others[: len(layout.axes)]))
-                yield Stored(key, point, tuple(map(_value, layout.kinds, others[len(layout.axes) :])), version)
+                yield Stored(key, point, tuple(map(_value, layout.types, others[len(layout.axes) :])), version)
         except (ValueError, KeyError, RecursionError):
             raise _damaged(file, number, line) from None
 
@@ -99,9 +101,12 @@ def _damaged(file: Path, number: int, line: bytes) -> InvalidInput:
     return InvalidInput(f"store: got '{got}' as line {number} of '{file}', allowed a row of a sweep (mend or delete it)")
 
 
-def _value(kind: str, cell: str) -> Any:
-    if kind == "b":
+def _value(of: np.dtype[Any], cell: str) -> Any:
+    if of.kind == "b":
         return {"true": True, "false": False}[cell]
-    if kind in "iu":
-        return int(cell)
+    if of.kind in "iu":
+        number, range_ = int(cell), np.iinfo(of)
+        if not range_.min <= number <= range_.max:
+            raise ValueError
+        return number
     return math.inf if cell == UNKNOWN else float(cell)

@@ -176,6 +176,29 @@ def test_store(store):
         assert stoss.open_sweep(path.parent).complete
 
 
+def with_cell(text, column, new):
+    """A CSV whose last row has something else in a column."""
+    *head, last = text.splitlines()
+    names = next(line for line in head if not line.startswith("#")).split(",")
+    cells = last.split(",")
+    cells[names.index(column)] = new
+    return "\n".join([*head, ",".join(cells), ""])
+
+
+def test_store_of_strange_rows(store):
+    rows = store[1]
+    whole = rows.read_text()
+    try:
+        for damage in (with_cell(whole, "runs", "9" * 40), with_cell(whole, "runs", "9" * 5000),
+                       whole.replace("# stoss ", "# stoss \0"), whole.replace("# stoss 1", "# stoss " + "9" * 5000)):  # fmt: skip
+            assert damage != whole
+            rows.write_text(damage)
+            refuses_or_reads(stoss.open_sweep, rows.parent)
+            refuses_or_reads(lambda: stoss.open_sweep(rows.parent, mix=True))
+    finally:
+        rows.write_text(whole)
+
+
 def test_csv(folder):
     stoss.restitution(poisson=0.33, speed=[0.05, 0.1], tolerance=0.1).to_csv(folder / "curve.csv")
 
@@ -186,3 +209,22 @@ def test_csv(folder):
         refuses_or_reads(stoss.read_csv, folder / "damaged.csv")
 
     read()
+
+
+@pytest.mark.parametrize("old, new", [(b"poisson", b"x" * 5000), (b"0.05", b"9" * 200_000), (b"0.05", b"x" * 5000),
+                                      (b"stoss 1", b"stoss " + b"9" * 5000), (b"# stoss", b"# stoss 1 :"),
+                                      (b",speed", b'"' * 9 + b",speed"), (b"runs", b"runs,runs")],
+                         ids=["name", "number", "word", "version", "no version", "quotes", "twice"])  # fmt: skip
+def test_csv_of_large_cells(folder, old, new):
+    stoss.restitution(poisson=0.33, speed=[0.05, 0.1], tolerance=0.1).to_csv(folder / "whole.csv")
+    whole = (folder / "whole.csv").read_bytes()
+    assert old in whole
+    (folder / "large.csv").write_bytes(whole.replace(old, new))
+    refuses_or_reads(stoss.read_csv, folder / "large.csv")
+
+
+def test_csv_of_large_whole_numbers(folder):
+    stoss.restitution(poisson=0.33, speed=[0.05, 0.1], tolerance=0.1).to_csv(folder / "whole.csv")
+    (folder / "large.csv").write_text(with_cell((folder / "whole.csv").read_text(), "runs", "9" * 40))
+    with pytest.raises(stoss.InvalidInput, match="a number in column runs is too large"):
+        stoss.read_csv(folder / "large.csv")
