@@ -81,7 +81,6 @@ FiniteElements::FiniteElements(Symmetry symmetry, double poisson, const std::vec
     if (nodes_[i].across > same_place) inverse_mass_[i] = 1.0 / mass_[i];
     inverse_mass_[count + i] = 1.0 / mass_[i];
   }
-  towards_ = displacement_.data() + count;
   find_step();
 }
 
@@ -193,8 +192,9 @@ void FiniteElements::advance(double step) {
 }
 
 double FiniteElements::push(std::size_t node, double more, double step) {
-  towards_[node] += more;
-  velocity_[nodes_.size() + node] += more / step;
+  const std::size_t towards = nodes_.size() + node;
+  displacement_[towards] += more;
+  velocity_[towards] += more / step;
   return mass_[node] * more / step;
 }
 

@@ -31,7 +31,9 @@ class FiniteElements {
   double push(std::size_t node, double more, double step);
 
   /// Where a node is now, towards the contact.
-  [[nodiscard]] double towards(std::size_t node) const { return nodes_[node].towards + towards_[node]; }
+  [[nodiscard]] double towards(std::size_t node) const {
+    return nodes_[node].towards + displacement_[nodes_.size() + node];
+  }
 
   /// Rayleigh's quotient uᵀKu / uᵀMu, an estimate of a mode's ω² by its displacement.
   [[nodiscard]] double rayleigh_quotient(const std::vector<Point>& displacement);
@@ -58,7 +60,6 @@ class FiniteElements {
   double step_ = 0.0;
   // Across, then towards the contact, as all vectors here: of nodes that cannot move so, 1/mass is 0.
   std::vector<double> inverse_mass_, displacement_, velocity_, force_;
-  double* towards_ = nullptr;  // the second half of the displacement
 };
 
 }  // namespace bench
