@@ -6,6 +6,7 @@ import dataclasses
 import itertools
 import json
 import os
+import reprlib
 from typing import Any, Iterator, List, Mapping, Sequence, Tuple
 
 import numpy as np
@@ -122,7 +123,7 @@ def choices(name: str, given: Any) -> Choices:
     """What the lists and series in a mapping leave to choose; of an object or a word nothing."""
     if not isinstance(given, Mapping) or _is_wall(name, given):
         return []
-    return [[(key, each) for each in _choices(f"{name}: {key}", key, value)] for key, value in given.items()]
+    return [[(key, each) for each in _choices(f"{name}: {_shown(key)}", key, value)] for key, value in given.items()]
 
 
 def expanded(name: str, given: Any, left: Choices) -> Iterator[Specification]:
@@ -148,6 +149,11 @@ def expanded(name: str, given: Any, left: Choices) -> Iterator[Specification]:
     else:
         walls = "'wall', 'same', " if name == "against" else ""
         raise refusal(name, given, f"{walls}a body, or a mapping with its kind")
+
+
+def _shown(key: Any) -> str:
+    """A key as it stands in a line of its own."""
+    return key if isinstance(key, str) and len(key) <= 30 and key.isprintable() else reprlib.repr(key)
 
 
 def _is_wall(name: str, words: Mapping[str, Any]) -> bool:

@@ -94,6 +94,15 @@ def test_grid(folder, content):
     refuses_or_reads(stoss.Grid.from_toml, folder / "grid.toml")
 
 
+@pytest.mark.parametrize("key", ["9" * 5000, '"\\u0000"', '"\\u2028 = 1"', '"' + "x" * 5000 + '"', '""'],
+                         ids=["long", "control", "separator", "word", "empty"])  # fmt: skip
+@pytest.mark.parametrize("value", ["'sphere'", "1", "[]", "{}"])
+@pytest.mark.parametrize("before", ["", '[[bodies]]\nkind = "sphere"\n', '[[against]]\nkind = "wall"\n'])
+def test_grid_with_strange_keys(folder, key, value, before):
+    (folder / "grid.toml").write_text(f"{before}{key} = {value}\n", encoding="utf-8")
+    refuses_or_reads(stoss.Grid.from_toml, folder / "grid.toml")
+
+
 @given(damaged(json.dumps(BALL).encode()))
 @FUZZ
 def test_body_as_json(folder, content):
