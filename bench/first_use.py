@@ -17,6 +17,7 @@ from pathlib import Path
 STOSS = os.environ.get("STOSS", str(Path(__file__).resolve().parent.parent / "build/release/cli/stoss"))
 RESTITUTION = (STOSS, "restitution", "--speed", "0.1", "--poisson")
 TASKS = {
+    "a program that does nothing": ("/bin/true",),
     "stoss --help": (STOSS, "--help"),
     "disk, v = 0.1": (*RESTITUTION, "0.33"),
     "sphere, v = 0.1": (*RESTITUTION, "0.3", "--body", "sphere"),
