@@ -61,6 +61,7 @@ InnerFields inside(double poisson, int number, const Contact& contact, const Imp
   all.fields.emplace_back("principal_difference", std::vector<double>{});
   for (auto& [name, field] : all.fields) field.reserve(values);
   const auto add = [&](std::size_t to, const std::vector<double>& more, double unit) {
+    if (poll) poll();
     for (const double each : more) all.fields[to].second.push_back(each * unit);
   };
   for (const Frame& frame : frames) {
@@ -69,6 +70,7 @@ InnerFields inside(double poisson, int number, const Contact& contact, const Imp
     const typename Kind::Field field = within.at(seen.coordinate, seen.node_force, poll);
     for (std::size_t k = 0; k < count; ++k) add(k, field.*Kind::components[k].of, k < 2 ? seen.length : seen.stress);
     add(count, von_mises(field), seen.stress);
+    if (poll) poll();
     add(count + 1, principal_difference(field), seen.stress);
     all.center.push_back(seen.center);
   }

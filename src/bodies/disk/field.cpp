@@ -71,7 +71,10 @@ Field DiskField::at(std::span<const double> coordinate, std::span<const double> 
 
   const std::vector<int>& orders = profiles.orders();
   std::array<OrderProfiles::Matrix, OrderProfiles::components> sum;
-  for (auto& component : sum) component.setZero(static_cast<Eigen::Index>(orders.size()), angle.size());
+  for (auto& component : sum) {
+    if (poll) poll();
+    component.setZero(static_cast<Eigen::Index>(orders.size()), angle.size());
+  }
   OrderProfiles::Profile profile;
   const int end = *std::max_element(orders.begin(), orders.end());
   for (int first = 0; first < end; first += order_block) {
@@ -90,7 +93,10 @@ Field DiskField::at(std::span<const double> coordinate, std::span<const double> 
       });
     }
   }
-  const auto flat = [&sum](std::size_t i) { return std::vector<double>(sum[i].data(), sum[i].data() + sum[i].size()); };
+  const auto flat = [&](std::size_t i) {
+    if (poll) poll();
+    return std::vector<double>(sum[i].data(), sum[i].data() + sum[i].size());
+  };
   return {flat(0), flat(1), flat(2), flat(3), flat(4)};
 }
 

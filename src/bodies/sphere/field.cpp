@@ -88,7 +88,10 @@ Field SphereField::at(std::span<const double> coordinate, std::span<const double
 
   const std::vector<int>& degrees = profiles.orders();
   std::array<Matrix, 6> sum;  // in the order of Field
-  for (Matrix& component : sum) component.setZero(static_cast<Eigen::Index>(degrees.size()), angle.size());
+  for (Matrix& component : sum) {
+    if (poll) poll();
+    component.setZero(static_cast<Eigen::Index>(degrees.size()), angle.size());
+  }
   auto& [radial, tangential, stress_rr, stress_tt, stress_pp, stress_rt] = sum;
   DegreeProfiles::Profile profile;
   Harmonics harmonics(angle.size());
@@ -104,6 +107,7 @@ Field SphereField::at(std::span<const double> coordinate, std::span<const double
     const auto bottom = std::find_if(degrees.rbegin(), degrees.rend(), counts).base();
     const Eigen::Index row = top - degrees.begin(), rows = bottom - top;
     const auto add = [&](Matrix& to, const Matrix& from, const Matrix& with) {
+      if (poll) poll();
       to.middleRows(row, rows).noalias() += from.middleRows(row, rows) * with;
     };
     const auto& [of_radial, of_tangential, of_rr, of_rt, hoop, bend] = profile;
@@ -116,7 +120,10 @@ Field SphereField::at(std::span<const double> coordinate, std::span<const double
     add(stress_tt, hoop, harmonics.value);
     add(stress_tt, -bend, harmonics.along);
   }
-  const auto flat = [](const Matrix& table) { return std::vector<double>(table.data(), table.data() + table.size()); };
+  const auto flat = [&poll](const Matrix& table) {
+    if (poll) poll();
+    return std::vector<double>(table.data(), table.data() + table.size());
+  };
   return {flat(radial), flat(tangential), flat(stress_rr), flat(stress_tt), flat(stress_pp), flat(stress_rt)};
 }
 
