@@ -67,6 +67,7 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
 
   it('follow every control', async () => {
     const page = await site.open();
+    await settled(page);
     await page.check('input[name=body][value=sphere]', { force: true });
     await page.selectOption('#against', 'half-space');
     await page.check('input[name=units][value=SI]', { force: true });

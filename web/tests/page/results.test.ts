@@ -67,14 +67,15 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
 
   it('can be copied as lines and as a link', async () => {
     const page = await site.open('?body=disk&nu=0.4&v=0.2');
+    await settled(page);
     const python = 'import stoss\n\ndisk = stoss.Disk(poisson=0.4)\nprint(stoss.restitution(disk, speed=0.2))';
-    for (const [button, text] of [
-      ['#copy-command', 'stoss restitution --poisson 0.4 --speed 0.2'],
-      ['#copy-python', python],
-      ['#copy-link', `${site.address}?body=disk&nu=0.4&v=0.2`],
+    for (const [button, said, text] of [
+      ['#copy-command', 'Command line copied.', 'stoss restitution --poisson 0.4 --speed 0.2'],
+      ['#copy-python', 'Python lines copied.', python],
+      ['#copy-link', 'Link copied.', `${site.address}?body=disk&nu=0.4&v=0.2`],
     ] as const) {
       await page.click(button);
-      await page.waitForFunction(() => document.getElementById('done')!.textContent!.endsWith('copied.'));
+      await page.waitForFunction((line) => document.getElementById('done')!.textContent === line, said);
       expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(text);
     }
     await page.context().close();
