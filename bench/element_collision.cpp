@@ -8,8 +8,6 @@
 namespace bench {
 namespace {
 
-constexpr double same_place = 1e-8;
-
 /// Nodes of a surface that may touch, from the axis outwards.
 template <typename Is>
 std::vector<std::size_t> sorted_nodes(const FiniteElements& body, const Is& is_of_surface) {

@@ -11,6 +11,9 @@ namespace bench {
 
 inline constexpr std::size_t element_nodes = element_side * element_side;
 
+/// Nodes are further apart; coordinates of one agree much better.
+inline constexpr double same_place = 1e-8;
+
 struct Point {
   double across = 0.0;   ///< x, from the axis of symmetry
   double towards = 0.0;  ///< z, from the centre of the disk or ball towards what it meets

@@ -13,7 +13,6 @@ namespace {
 constexpr std::size_t side = element_side;
 constexpr std::size_t lanes = ElementGroup::lanes;
 constexpr std::size_t inner_nodes = (side - 2) * (side - 2);
-constexpr double same_place = 1e-8;  // nodes are further apart; coordinates of one agree much better
 
 Moduli moduli_of(Symmetry symmetry, double poisson) {
   const double shear = 0.5 / (1.0 + poisson);

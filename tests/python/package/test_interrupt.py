@@ -49,11 +49,8 @@ LONG = {
     "static contact": "[stoss.quasistatic.static_contact(poisson=0.33, compression=0.1, nodes=1024) for _ in range(9)]",
     "soft static contact": "stoss.quasistatic.soft_static_contact(poisson=0.33, compression=0.1, cutoff=200, nodes=2048)",
 }
-LATER = {
-    "4096 nodes": (0.3, 2.0, 6.0),
-    "4096 nodes, static tail": (0.3, 1.0, 2.0),
-    "field at many points": (0.25, 0.75, 0.5),
-}
+LATER = {"4096 nodes": (0.3, 2.0, 6.0), "4096 nodes, static tail": (0.3, 1.0, 2.0),
+         "field at many points": (0.25, 0.75, 0.5)}  # fmt: skip
 CHILD = """
 import signal, sys, time
 import numpy as np
