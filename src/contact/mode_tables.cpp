@@ -15,9 +15,9 @@ constexpr std::size_t lanes = numeric::kernels::lanes;
 
 }  // namespace
 
-ModeTables::ModeTables(const Contact& contact, const ContactGrid& grid, double step, Kicks kicks)
+ModeTables::ModeTables(const Contact& contact, const ContactGrid& grid, double time_step, Kicks kicks)
     : mass(contact.mass),
-      step(step),
+      step(time_step),
       count(mode_count(contact)),
       nodes(grid.recess.size()),
       lasting_groups(stoss::lasting_groups(contact)),
@@ -32,8 +32,8 @@ ModeTables::ModeTables(const Contact& contact, const ContactGrid& grid, double s
       const std::size_t k = position(g, l);
       const double frequency = group.omega[l];
       omega[k] = frequency;
-      cosine[k] = std::cos(frequency * step);
-      sine[k] = std::sin(frequency * step);
+      cosine[k] = std::cos(frequency * time_step);
+      sine[k] = std::sin(frequency * time_step);
       upper[k] = group.upper[l] / std::sqrt(frequency);
       lower[k] = group.lower[l] / std::sqrt(frequency);
     }

@@ -17,7 +17,7 @@ enum class Kicks {
 /// What the kept modes of all impacts on one grid with one step Δt share, in the order in which they are advanced
 /// (numeric::kernels::Oscillators): places without a mode hold an oscillator that nothing moves.
 struct ModeTables {
-  ModeTables(const Contact& contact, const ContactGrid& grid, double step, Kicks kicks);
+  ModeTables(const Contact& contact, const ContactGrid& grid, double time_step, Kicks kicks);
 
   /// Place of a mode in the arrays over modes.
   [[nodiscard]] std::size_t position(std::size_t group, std::size_t index) const;
