@@ -35,19 +35,17 @@ describe.skipIf(missing !== '')(`real materials${missing && ` (${missing})`}`, (
     await page.context().close();
   });
 
-  it('are those of balls of a named material only, at what the core predicts', { timeout: 60_000 }, async () => {
-    for (const [query, there] of [
-      ['body=disk&nu=0.33&v=0.1', false], ['body=sphere&nu=0.3&v=0.01', false], [`${steel}&v=1`, true],
-      [`${steel.replace('2.1e11', '2.2e11')}&v=1`, false], [`${steel}&v=1&mu=0.3&angle=20`, false],
-      [`${steel}&v=1&against=half-space&${glass}`, true], [`${steel}&v=1&against=plate&h2=0.01&${glass}`, true],
-      [`${steel}&v=1&against=body&R2=0.01&${glass}`, true], [`${steel}&v=1&against=same`, true],
-    ] as const) {
-      const page = await site.open(`?${query}`);
-      await settled(page);
-      expect(await page.isVisible('#prediction'), query).toBe(there);
-      if (there) await page.waitForSelector('.channels', { timeout: 30_000 });
-      await page.context().close();
-    }
+  it.each([
+    ['body=disk&nu=0.33&v=0.1', false], ['body=sphere&nu=0.3&v=0.01', false], [`${steel}&v=1`, true],
+    [`${steel.replace('2.1e11', '2.2e11')}&v=1`, false], [`${steel}&v=1&mu=0.3&angle=20`, false],
+    [`${steel}&v=1&against=half-space&${glass}`, true], [`${steel}&v=1&against=plate&h2=0.01&${glass}`, true],
+    [`${steel}&v=1&against=body&R2=0.01&${glass}`, true], [`${steel}&v=1&against=same`, true],
+  ] as const)('are those of balls of a named material only: %s', { timeout: 60_000 }, async (query, there) => {
+    const page = await site.open(`?${query}`);
+    await settled(page);
+    expect(await page.isVisible('#prediction')).toBe(there);
+    if (there) await page.waitForSelector('.channels', { timeout: 30_000 });
+    await page.context().close();
   });
 
   it('go as soon as the inputs are of no real material', { timeout: 60_000 }, async () => {
