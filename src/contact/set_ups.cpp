@@ -5,7 +5,7 @@ namespace stoss {
 SetUp make_set_up(const Contact& contact, const ContactGrid& grid, ResidualMotion::Inertia inertia, double step,
                   const Poll& poll) {
   Residuals residuals(contact, grid, inertia, step, poll);
-  auto compliance = std::make_shared<const FactoredCompliance>(residuals.compliance(), grid.recess.size(), poll);
+  auto compliance = std::make_shared<const FactoredCompliance>(residuals.compliance(poll), grid.recess.size(), poll);
   return {std::move(residuals), std::move(compliance)};
 }
 

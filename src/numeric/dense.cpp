@@ -3,14 +3,30 @@
 #include <Eigen/Cholesky>
 
 namespace stoss::numeric::dense {
+namespace {
+
+constexpr std::size_t block = std::size_t{1} << 20;  // of values
+
+}  // namespace
 
 std::vector<double> zeros(std::size_t size, const Poll& poll) {
-  constexpr std::size_t block = std::size_t{1} << 20;
   std::vector<double> result;
   result.reserve(size);
   while (result.size() < size) {
     if (poll) poll();
     result.resize(std::min(size, result.size() + block));
+  }
+  return result;
+}
+
+std::vector<double> copy(const std::vector<double>& values, const Poll& poll) {
+  std::vector<double> result;
+  result.reserve(values.size());
+  while (result.size() < values.size()) {
+    if (poll) poll();
+    const auto next = values.begin() + static_cast<std::ptrdiff_t>(result.size());
+    result.insert(result.end(), next,
+                  next + static_cast<std::ptrdiff_t>(std::min(values.size() - result.size(), block)));
   }
   return result;
 }

@@ -23,6 +23,9 @@ void by_columns(Eigen::Index columns, const Poll& poll, const Work& work) {
 /// So many zeros, made in blocks too: memory that is touched first costs more than arithmetic on it.
 [[nodiscard]] std::vector<double> zeros(std::size_t size, const Poll& poll);
 
+/// These values once more, in the same blocks.
+[[nodiscard]] std::vector<double> copy(const std::vector<double>& values, const Poll& poll);
+
 /// The square matrix of these values, by columns.
 [[nodiscard]] Eigen::MatrixXd square(const double* values, Eigen::Index size, const Poll& poll);
 

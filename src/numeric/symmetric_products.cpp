@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "numeric/dense.hpp"
 #include "numeric/kernels.hpp"
 
 namespace stoss::numeric {
@@ -18,7 +19,7 @@ SymmetricProducts::SymmetricProducts(std::size_t size, const Poll& poll)
       stride_(whole_vectors(size)),
       shape_(block * stride_),
       load_(block * stride_),
-      sum_(stride_ * stride_),
+      sum_(dense::zeros(stride_ * stride_, poll)),
       poll_(poll) {}
 
 void SymmetricProducts::start() {

@@ -53,7 +53,8 @@ std::vector<double> sum_at_equal_angles(const OrderSum& sum, const ContactPoints
 }
 
 /// Subtotal over the given orders, of which those at the points are rows of two matrices.
-Matrix order_matrix(const std::vector<Flexibility>& coefficients, const ContactPoints& points, const Poll& poll) {
+std::vector<double> order_matrix(const std::vector<Flexibility>& coefficients, const ContactPoints& points,
+                                 const Poll& poll) {
   const auto count = static_cast<Eigen::Index>(points.count);
   const auto resolved = std::lround(std::numbers::pi / (points.spacing * points.radius));
   const auto orders = static_cast<Eigen::Index>(std::min<long>(static_cast<long>(coefficients.size()), resolved + 1));
@@ -74,22 +75,19 @@ Matrix order_matrix(const std::vector<Flexibility>& coefficients, const ContactP
     sine_n = sine_n * cosine + cosine_n * sine;
     cosine_n = next;
   }
-  // In blocks of columns, between which there is time to look up.
-  constexpr Eigen::Index block = 64;
-  Matrix sum(count, count);
-  for (Eigen::Index first = 0; first < count; first += block) {
-    if (poll) poll();
-    const Eigen::Index width = std::min(block, count - first);
-    sum.middleCols(first, width).noalias() = c.transpose() * to_c.middleCols(first, width);
-    sum.middleCols(first, width).noalias() += s.transpose() * to_s.middleCols(first, width);
-  }
-  return sum / mass;
+  std::vector<double> sum = dense::zeros(points.count * points.count, poll);
+  dense::by_columns(count, poll, [&](Eigen::Index first, Eigen::Index width) {
+    auto columns = Eigen::Map<Matrix>(sum.data(), count, count).middleCols(first, width);
+    columns.noalias() = c.transpose() * to_c.middleCols(first, width);
+    columns.noalias() += s.transpose() * to_s.middleCols(first, width);
+    columns /= mass;
+  });
+  return sum;
 }
 
 std::vector<double> sum_at_mapped_angles(const OrderSum& sum, const ContactPoints& points, const Poll& poll) {
   const std::size_t count = points.count;
-  const Matrix orders = order_matrix(sum.coefficients, points, poll);
-  std::vector<double> matrix(orders.data(), orders.data() + orders.size());
+  std::vector<double> matrix = order_matrix(sum.coefficients, points, poll);
   if (!sum.with_static) return matrix;
   const MappedOrders all(sum.poisson, points);
   for (std::size_t i = 0; i < count; ++i) {

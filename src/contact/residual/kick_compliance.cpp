@@ -23,7 +23,7 @@ double share_of_kick(double omega, double loss_time, bool lossy, double step) {
 }  // namespace
 
 void add_kick_compliance(const Contact& contact, const ContactGrid& grid, double step, const Poll& poll,
-                         Eigen::MatrixXd& compliance) {
+                         Eigen::Ref<Eigen::MatrixXd> compliance) {
   if (contact.groups.empty()) return;
   const bool lossy = longest_loss_time(contact) > 0.0;
   const auto n = compliance.rows();

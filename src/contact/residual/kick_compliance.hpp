@@ -14,6 +14,6 @@ namespace stoss {
 /// (numeric::stable_kicks). In both the response to slow forces is exact.
 /// @param compliance points × points
 void add_kick_compliance(const Contact& contact, const ContactGrid& grid, double step, const Poll& poll,
-                         Eigen::MatrixXd& compliance);
+                         Eigen::Ref<Eigen::MatrixXd> compliance);
 
 }  // namespace stoss

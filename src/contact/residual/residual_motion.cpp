@@ -123,24 +123,24 @@ ResidualMotion::Matrices ResidualMotion::discretize(const ResidualPart& part, co
           static_cast<std::size_t>(masses)};
 }
 
-ResidualMotion::Matrices ResidualMotion::massless(const ResidualPart& part, double step) {
+ResidualMotion::Matrices ResidualMotion::massless(ResidualPart part, double step) {
   Matrices matrices;
-  matrices.compliance = part.compliance;
+  matrices.compliance = std::move(part.compliance);
   if (part.loss_time > 0.0) {
     for (double& each : matrices.compliance) each *= share_of(part.loss_time / step);
   }
   return matrices;
 }
 
-ResidualMotion::ResidualMotion(const ResidualPart& part, const Contact& contact, const ContactGrid& grid,
-                               Inertia inertia, double step, const Poll& poll)
+ResidualMotion::ResidualMotion(ResidualPart part, const Contact& contact, const ContactGrid& grid, Inertia inertia,
+                               double step, const Poll& poll)
     : nodes_(grid.recess.size()),
       step_(step),
       fading_(1.0 / (1.0 + link_stiffness * part.cutoff * step)),
       viscous_(part.loss_time / step),
       share_(share_of(viscous_)),
       matrices_(std::make_shared<const Matrices>(inertia == Inertia::all ? discretize(part, contact, grid, step, poll)
-                                                                         : massless(part, step))),
+                                                                         : massless(std::move(part), step))),
       free_(nodes_),
       mass_displacement_(matrices_->masses),
       mass_velocity_(matrices_->masses),

@@ -34,8 +34,8 @@ class ResidualMotion {
     all,   ///< all; and while nothing is lost, what the kicks leave out of the kept modes is in W
   };
 
-  ResidualMotion(const ResidualPart& part, const Contact& contact, const ContactGrid& grid, Inertia inertia,
-                 double step, const Poll& poll);
+  ResidualMotion(ResidualPart part, const Contact& contact, const ContactGrid& grid, Inertia inertia, double step,
+                 const Poll& poll);
 
   /// W′, nodes × nodes.
   [[nodiscard]] const std::vector<double>& compliance() const { return matrices_->compliance; }
@@ -63,7 +63,7 @@ class ResidualMotion {
   };
   static Matrices discretize(const ResidualPart& part, const Contact& contact, const ContactGrid& grid, double step,
                              const Poll& poll);
-  static Matrices massless(const ResidualPart& part, double step);
+  static Matrices massless(ResidualPart part, double step);
   [[nodiscard]] numeric::kernels::Masses view();
   void lose(const std::vector<double>& displacement, const std::vector<double>& force);
 

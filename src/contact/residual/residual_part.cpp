@@ -43,6 +43,13 @@ ResidualPart second_part(const Contact& contact, const ContactGrid& grid, const 
           1};
 }
 
+/// Braces would copy its matrix.
+std::vector<ResidualPart> alone(ResidualPart part) {
+  std::vector<ResidualPart> parts;
+  parts.push_back(std::move(part));
+  return parts;
+}
+
 }  // namespace
 
 std::vector<double> residual_of(const Contact& contact, const ContactGrid& grid, int number, Residual residual,
@@ -61,13 +68,15 @@ std::vector<double> residual_of(const Contact& contact, const ContactGrid& grid,
 std::vector<ResidualPart> residual_parts(const Contact& contact, const ContactGrid& grid, const Poll& poll) {
   const double loss_time = longest_loss_time(contact);
   if (body_of(contact, 1) != nullptr && loss_time > 0.0) {
-    if (contact.first->softness == 0.0) return {second_part(contact, grid, poll)};
-    if (contact.second->softness == 0.0) return {first_part(contact, grid, poll)};
-    return {first_part(contact, grid, poll), second_part(contact, grid, poll)};
+    if (contact.first->softness == 0.0) return alone(second_part(contact, grid, poll));
+    if (contact.second->softness == 0.0) return alone(first_part(contact, grid, poll));
+    std::vector<ResidualPart> both = alone(first_part(contact, grid, poll));
+    both.push_back(second_part(contact, grid, poll));
+    return both;
   }
-  return {{residual_compliance(contact, grid, poll),
-           [&contact, &grid, poll] { return residual_second_moment(contact, grid, poll); }, grid.impedance,
-           kept_cutoff(contact.cutoff, loss_time), loss_time}};
+  return alone({residual_compliance(contact, grid, poll),
+                [&contact, &grid, poll] { return residual_second_moment(contact, grid, poll); }, grid.impedance,
+                kept_cutoff(contact.cutoff, loss_time), loss_time});
 }
 
 }  // namespace stoss

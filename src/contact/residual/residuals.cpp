@@ -1,8 +1,10 @@
 #include "contact/residual/residuals.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "contact/residual/kick_compliance.hpp"
+#include "numeric/dense.hpp"
 #include "numeric/kernels.hpp"
 #include "stoss/contact/grid.hpp"
 
@@ -10,30 +12,35 @@ namespace stoss {
 
 namespace kernels = numeric::kernels;
 
+namespace {
+
+void add(const std::vector<double>& values, std::vector<double>& sum) {
+  for (std::size_t i = 0; i < values.size(); ++i) sum[i] += values[i];
+}
+
+}  // namespace
+
 Residuals::Residuals(const Contact& contact, const ContactGrid& grid, ResidualMotion::Inertia inertia, double step,
                      const Poll& poll)
     : lossy_(longest_loss_time(contact) > 0.0) {
-  for (const ResidualPart& part : residual_parts(contact, grid, poll)) {
-    parts_.emplace_back(part, contact, grid, inertia, step, poll);
+  for (ResidualPart& part : residual_parts(contact, grid, poll)) {
     bodies_.push_back(part.body);
+    parts_.emplace_back(std::move(part), contact, grid, inertia, step, poll);
   }
   if (!lossy_) return;
   const std::size_t nodes = grid.recess.size();
   free_.resize(nodes);
   displacement_.resize(parts_.size(), std::vector<double>(nodes));
+  if (inertia == ResidualMotion::Inertia::none) return;
   const auto size = static_cast<Eigen::Index>(nodes);
-  Eigen::MatrixXd kicks = Eigen::MatrixXd::Zero(size, size);
-  if (inertia == ResidualMotion::Inertia::all) add_kick_compliance(contact, grid, step, poll, kicks);
-  kicks_.assign(kicks.data(), kicks.data() + kicks.size());
+  kicks_ = numeric::dense::zeros(nodes * nodes, poll);
+  add_kick_compliance(contact, grid, step, poll, Eigen::MatrixXd::Map(kicks_.data(), size, size));
 }
 
-std::vector<double> Residuals::compliance() const {
-  std::vector<double> sum = parts_.front().compliance();
-  if (!lossy_) return sum;
-  for (std::size_t i = 0; i < sum.size(); ++i) {
-    if (parts_.size() > 1) sum[i] += parts_.back().compliance()[i];
-    sum[i] += kicks_[i];
-  }
+std::vector<double> Residuals::compliance(const Poll& poll) const {
+  std::vector<double> sum = numeric::dense::copy(parts_.front().compliance(), poll);
+  if (parts_.size() > 1) add(parts_.back().compliance(), sum);
+  add(kicks_, sum);
   return sum;
 }
 

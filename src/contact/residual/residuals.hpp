@@ -17,7 +17,7 @@ class Residuals {
             const Poll& poll);
 
   /// Σ W′_k + A
-  [[nodiscard]] std::vector<double> compliance() const;
+  [[nodiscard]] std::vector<double> compliance(const Poll& poll) const;
 
   /// Begins a step: h = Σ h_k, the displacement without force.
   const std::vector<double>& predict();
@@ -35,7 +35,7 @@ class Residuals {
   std::vector<ResidualMotion> parts_;
   std::vector<std::size_t> bodies_;  // of each
   bool lossy_;
-  std::vector<double> kicks_;                      // A, nodes × nodes; in lossy bodies
+  std::vector<double> kicks_;                      // A, nodes × nodes; in lossy bodies, empty if it is 0
   std::vector<double> free_;                       // of lossy bodies
   std::vector<std::vector<double>> displacement_;  // of each part
 };

@@ -40,6 +40,7 @@ LONG = {
     "2048 nodes": "stoss.impact(poisson=0.33, speed=0.1, nodes=2048)",
     "4096 nodes": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096)",
     "4096 nodes, static tail": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096, tail='static')",
+    "pair, 4096 nodes": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096, against=stoss.Disk(poisson=0, radius=3))",
     "field at many points": "hit.field(time=1.0, radius=np.linspace(0, 1, 1500), angle=np.linspace(-3, 3, 1500))",
     "field at many radii": "hit.field(time=1.0, radius=np.linspace(0, 1, 20_000), angle=0.0)",
     "atlas": "[stoss.atlas(poisson=0.33, speed=np.full(10**7, 0.1)) for _ in range(9)]",
@@ -49,8 +50,8 @@ LONG = {
     "static contact": "[stoss.quasistatic.static_contact(poisson=0.33, compression=0.1, nodes=1024) for _ in range(9)]",
     "soft static contact": "stoss.quasistatic.soft_static_contact(poisson=0.33, compression=0.1, cutoff=200, nodes=2048)",
 }
-LATER = {"4096 nodes": (0.3, 2.0, 6.0), "4096 nodes, static tail": (0.3, 1.0, 2.0),
-         "field at many points": (0.25, 0.75, 0.5)}  # fmt: skip
+LATER = {"4096 nodes": (0.3, 2.0, 6.0), "4096 nodes, static tail": (0.6, 1.0, 0.8),
+         "pair, 4096 nodes": (1.0, 2.2, 2.0), "field at many points": (0.25, 0.75, 0.5)}  # fmt: skip
 CHILD = """
 import signal, sys, time
 import numpy as np

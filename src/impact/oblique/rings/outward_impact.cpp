@@ -41,7 +41,7 @@ class OutwardCollision {
         rings_(static_cast<Index>(grid.points.count)),
         block_(outward, grid.points, resolution, poll),
         law_(edge_law(contact, grid, speed)),
-        nodes_(of_rings(block_.residuals.compliance(), grid.points.count), law_, friction, 1.0, poll),
+        nodes_(of_rings(block_.residuals.compliance(poll), grid.points.count), law_, friction, 1.0, poll),
         recess_(VectorXd::Map(grid.recess.data(), rings_)),
         range_(law_.range(grid.recess)),
         compression_(start_before(first_kick(contact), range_, touch_compression(contact, grid), speed * step_)),

@@ -58,7 +58,7 @@ RingSlide::RingSlide(const Contact& contact, const Contact& along, double speed,
       residuals_(along, grid, ResidualMotion::Inertia::all, step_, poll) {
   const auto arms_of = arms(contact, grid.points);
   for (std::size_t k = 0; k < arm_.size(); ++k) arm_[k] = vector_of(arms_of[k]);
-  const std::vector<double> compliance = residuals_.compliance();
+  const std::vector<double> compliance = residuals_.compliance(poll);
   const auto rings = static_cast<Index>(grid.points.count);
   compliance_ = Eigen::MatrixXd::Map(compliance.data(), rings, rings);
 }

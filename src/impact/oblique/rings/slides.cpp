@@ -69,8 +69,10 @@ struct Slides::Parts {
     WaveMemory waves(along, grid, step, course.pressures.steps(), options.poll);
     auto [kept, kept_grid] = without_remembered(along, grid);
     KeptModes modes(kept, kept_grid, step, kicks_of(along, resolution.tail));
-    return {std::move(course), step,      std::move(kept),       ratio, std::move(modes),
-            std::move(waves),  residuals, residuals.compliance()};
+    return {std::move(course), step,
+            std::move(kept),   ratio,
+            std::move(modes),  std::move(waves),
+            residuals,         residuals.compliance(options.poll)};
   }
 };
 

@@ -37,7 +37,7 @@ ObliqueCollision::ObliqueCollision(const Contact& contact, const std::vector<Con
       even_(along[0], points_, resolution, poll),
       odd_(along[1], points_, resolution, poll),
       law_(edge_law(contact, grid, std::sqrt(2.0 * frame.normal_energy / frame.mass))),
-      nodes_(sided_compliance(even_.residuals.compliance(), odd_.residuals.compliance(), points_.count), law_,
+      nodes_(sided_compliance(even_.residuals.compliance(poll), odd_.residuals.compliance(poll), points_.count), law_,
              obliquity.friction, touch(along[0]).softness / touch(contact).softness, poll),
       rigid_(contact, points_, step_, frame, obliquity),
       history_(step_),
