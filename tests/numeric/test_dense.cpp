@@ -1,10 +1,14 @@
-// Cholesky factorization and triangular inverses in blocks, against their definitions and Eigen's own.
+// Cholesky factorization and triangular inverses in blocks, against their definitions and Eigen's own; copies in
+// blocks.
 #include "numeric/dense.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace stoss::numeric::dense {
 namespace {
@@ -47,6 +51,18 @@ TEST(Dense, SaysWhatIsNotPositiveDefinite) {
     MatrixXd matrix = positive(100);
     matrix(bad, bad) = -1.0;
     EXPECT_FALSE(factor(matrix, {})) << bad;
+  }
+}
+
+TEST(Dense, CopiesWithAPollBeforeEachBlock) {
+  constexpr std::size_t block = std::size_t{1} << 20U;
+  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, block, 2 * block + 1}) {
+    std::vector<double> values(size);
+    std::iota(values.begin(), values.end(), 0.5);
+    std::size_t polls = 0;
+    EXPECT_EQ(copy(values, [&polls] { ++polls; }), values);
+    EXPECT_EQ(polls, (size + block - 1) / block);
+    EXPECT_EQ(copy(values, {}), values);
   }
 }
 

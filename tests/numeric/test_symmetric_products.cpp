@@ -37,10 +37,15 @@ TEST(SymmetricProducts, AreThoseOfWholeMatrices) {
 
 TEST(SymmetricProducts, CanBeStopped) {
   struct Stopped {};
-  const Poll stop = [] { throw Stopped{}; };
-  SymmetricProducts products(5, stop);
+  bool stopping = false;
+  const Poll poll = [&stopping] {
+    if (stopping) throw Stopped{};
+  };
+  SymmetricProducts products(5, poll);
   for (int row = 0; row < 64; ++row) products.start();
+  stopping = true;
   EXPECT_THROW(products.start(), Stopped);
+  EXPECT_THROW(SymmetricProducts(5, poll), Stopped);
 }
 
 }  // namespace
