@@ -27,7 +27,7 @@ def main(folder: Path) -> None:
     figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4), layout="constrained")
     figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)  # inches around the axes
     for plane, marker in (("stress", "o"), ("strain", "s")):
-        disk = stoss.Disk(radius=0.01, material=stoss.materials["steel"], loss_time=0, plane=plane)
+        disk = stoss.Disk(radius=0.01, material=stoss.materials["structural steel"], loss_time=0, plane=plane)
         curve = stoss.restitution(disk, speed=SPEEDS)
 
         print(f"plane {plane}: c = {disk.scales.speed:.0f} m/s, 2-D Poisson's ratio {disk.poisson:.4f}")

@@ -20,7 +20,7 @@ import numpy as np
 
 import stoss
 
-MATERIALS = ("steel", "glass", "ice", "rubber")
+MATERIALS = ("structural steel", "glass", "ice", "rubber")
 RADIUS = 0.01  # m
 SPEEDS = np.array([0.01, 0.1, 1.0, 10.0])  # m/s
 COLUMNS = "material,speed_m_s,speed_c,lost_fraction,lost_fraction_error,contact_time_s,force_N,pressure_Pa"

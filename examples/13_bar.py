@@ -56,7 +56,7 @@ def bar(steel: stoss.Material) -> stoss.ModalBody:
 
 def main(folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
-    steel = stoss.materials["steel"]
+    steel = stoss.materials["structural steel"]
     struck, ball = bar(steel), stoss.Sphere(radius=RADIUS, material=stoss.materials["bearing steel"], loss_time=0)
     struck.save(folder / "bar.json")
     curve = stoss.restitution(ball, against=struck, speed=np.geomspace(0.05, 2, 12), tolerance=0.1)

@@ -82,7 +82,8 @@ void BodyOptions::add_dynamics_to(CLI::App& command) {
 void BodyOptions::add_material_to(CLI::App& command, bool yield) {
   const std::string group = heading(kinds_);
   add(command, "--material", material_,
-      "A material of the list in place of --young, --density, --poisson:\nsteel, glass, ice, ... (stoss materials)",
+      "A material of the list in place of --young, --density, --poisson:\nbearing steel, glass, ice, ... (stoss "
+      "materials)",
       "NAME", group);
   std::vector<std::string> added{"poisson", "loss_time"};
   for (const std::string& owner : kinds_) {

@@ -76,7 +76,7 @@ def compliance(inner: float, poisson: float, solid: float) -> float:
 
 
 def main(path: str) -> None:
-    steel = stoss.materials["steel"]
+    steel = stoss.materials["structural steel"]
     inner, weight = INNER / OUTER, steel.density * OUTER**3
     table = modes(inner, steel.poisson, HIGHEST)
     hertz = np.sqrt(steel.young / steel.density) / OUTER / (2 * np.pi)

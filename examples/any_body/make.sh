@@ -10,7 +10,7 @@ trap 'rm -rf "$work"' EXIT
 export OMP_NUM_THREADS=${OMP_NUM_THREADS:-1}
 
 body_of() { "$python" -m stoss.modal "$1.geo" --unit mm "${@:2}"; }
-body() { body_of "$1" --material steel "${@:2}"; }
+body() { body_of "$1" --material 'structural steel' "${@:2}"; }
 mesh() { # SHAPE MESH OPTION...: quadratic tetrahedra by Gmsh
   "$python" -c 'import sys, gmsh
 gmsh.initialize(["gmsh", "-v", "2", "-order", "2", *sys.argv[3:]])
@@ -40,7 +40,7 @@ for name in "${@:-sphere hollow_sphere bar beam plate ring bell bat coin}"; do
         for coarser in 1 1.4; do
           mesh plate.geo "$work/plate_$coarser.msh" -setnumber coarser "$coarser"
         done
-        "$python" -m stoss.modal "$work"/plate_1.msh "$work"/plate_1.4.msh --unit mm --material steel \
+        "$python" -m stoss.modal "$work"/plate_1.msh "$work"/plate_1.4.msh --unit mm --material 'structural steel' \
           --point 0,0,2.5 --normal 0,0,1 --modes 200 --name plate -o plate.json ;;
       ring)
         for pair in 3:1.35 4:1.8 6:2.7 9:3.5; do # its thickness, two edges and more

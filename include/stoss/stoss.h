@@ -88,7 +88,7 @@ int stoss_pair_contact_make(const stoss_body* first, const stoss_body* second, s
 /**
  * Makes the contact of an encounter that a JSON document describes, as in
  *
- *     {"first": {"kind": "sphere", "radius": 0.005, "material": "steel"},
+ *     {"first": {"kind": "sphere", "radius": 0.005, "material": "structural steel"},
  *      "against": {"kind": "half-space", "material": "glass"}}
  *
  * `stoss schema` prints the JSON Schema of such documents. What has a material is in SI, and stoss_speed_unit says what

@@ -144,6 +144,9 @@ void bind_encounters(py::module_& module) {
           "of pressure, shear and Rayleigh waves of the half-space that is met, in c of the first body");
   module.def("named_materials", &all_materials,
              "(name, young, poisson, density, yield strength, loss time and surface energy, each or None) of each");
+  module.def(
+      "require_material", [](const std::string& name) { (void)named_material(name); }, py::arg("name"),
+      "Refuses a name that no material has.");
   module.def("loss_time_of_quality", &loss_time_of_quality, py::arg("quality"), py::arg("frequency"));
   module.def(
       "plane_poisson",

@@ -47,9 +47,9 @@ NamedMaterial varying(NamedMaterial named, double young, double poisson, double 
 
 const std::vector<NamedMaterial>& named_materials() {
   static const std::vector<NamedMaterial> all{
-      with_strength(
-          varying(made("steel", {2.1e11, 0.30, 7850.0}, 3000.0, "structural steel, Eurocode 3"), 0.03, 0.03, 0.01),
-          2.35e8, 0.5, "the least of S235, EN 10025; most samples have more"),
+      with_strength(varying(made("structural steel", {2.1e11, 0.30, 7850.0}, 3000.0, "structural steel, Eurocode 3"),
+                            0.03, 0.03, 0.01),
+                    2.35e8, 0.5, "the least of S235, EN 10025; most samples have more"),
       with_surface(varying(made("glass", {7.0e10, 0.22, 2500.0}, 1000.0,
                                 "soda-lime glass, EN 572-1; nu between the 0.20 there and the 0.23 of makers"),
                            0.04, 0.1, 0.01),
@@ -95,6 +95,12 @@ const Material& named_material(std::string_view name) {
   for (const NamedMaterial& each : named_materials()) {
     if (each.name == name) return each.material;
     names += (names.empty() ? "" : ", ") + std::string(each.name);
+  }
+  // In version 1.0 "steel" was the structural one, which hardly any ball is made of.
+  if (name == "steel") {
+    throw InvalidInput(
+        "material: got 'steel', allowed 'structural steel' (yields at 235 MPa) or 'bearing steel' (at 1.7 GPa): their "
+        "yield speeds differ by a factor of 140");
   }
   throw InvalidInput("material: got " + in_quotes(name) + ", allowed " + names + ", or numbers of your own");
 }

@@ -4,7 +4,7 @@ import sys
 
 import stoss
 
-BALLS = ("steel", "glass")
+BALLS = ("structural steel", "glass")
 LAWS = ("linear", "tsuji", "viscoelastic", "hunt-crossley", "thornton", "walton", "table")
 # Laws as programs integrate them, or as far as their constants are free.
 OF_PROGRAMS = (("tsuji", "liggghts"), ("tsuji", "yade"))

@@ -14,7 +14,7 @@ constexpr double radius = 5e-3, speed = 1.0;
 
 /// A layer in units of the ball.
 stoss::Layer layer(const char* name, double thickness) {
-  const stoss::Material &its = stoss::named_material(name), &ball = stoss::named_material("steel");
+  const stoss::Material &its = stoss::named_material(name), &ball = stoss::named_material("structural steel");
   return {thickness / radius, its.poisson, its.young / ball.young, its.density / ball.density};
 }
 
@@ -26,7 +26,7 @@ stoss::Plate plate(const std::vector<stoss::Layer>& layers) {
 
 void print(fmt::ostream& out, const std::string& what, double sheet, double other,
            const std::vector<stoss::Layer>& layers) {
-  const stoss::Material& ball = stoss::named_material("steel");
+  const stoss::Material& ball = stoss::named_material("structural steel");
   const double c = std::sqrt(ball.young / ball.density);
   const stoss::Restitution r = on_layers({.ball_poisson = ball.poisson}, plate(layers), {speed / c}).front();
   out.print("{},{:.5g},{:.5g},{:.7g},{:.7g},{:.1e},{:.6g},{:.6g},{}\n", what, 1e3 * sheet, 1e3 * other,
@@ -50,15 +50,15 @@ void write_layers(const std::string& name) {
     }
   }
   for (const double sheet : {0.01, 0.04}) {
-    print(out, "bare steel", sheet, 0.0, {layer("steel", sheet)});
+    print(out, "bare steel", sheet, 0.0, {layer("structural steel", sheet)});
     for (const char* coat : {"tungsten carbide", "aluminium", "PMMA"}) {
       for (const double thickness : series(1e-4, 2e-3, 9)) {
-        print(out, coat, sheet, thickness, {layer(coat, thickness), layer("steel", sheet)});
+        print(out, coat, sheet, thickness, {layer(coat, thickness), layer("structural steel", sheet)});
       }
     }
   }
   print(out, "bare steel", std::numeric_limits<double>::infinity(), 0.0,
-        {layer("steel", 1e-2), layer("steel", std::numeric_limits<double>::infinity())});
+        {layer("structural steel", 1e-2), layer("structural steel", std::numeric_limits<double>::infinity())});
 }
 
 }  // namespace study

@@ -30,8 +30,8 @@ void write_materials(const std::string& name) {
       "ball,plate,speed[m/s],speed[c],thickness[R],thickness[m],restitution,lost_fraction,lost_fraction_error,"
       "lost_to_ball,contact_time[s],impulse_time[s],inelasticity,zener,zener_contact_time[s],deflection[h],"
       "converged\n");
-  for (const auto& [ball, plate] :
-       {Names{"steel", "steel"}, Names{"steel", "glass"}, Names{"glass", "glass"}, Names{"ice", "ice"}}) {
+  for (const auto& [ball, plate] : {Names{"structural steel", "structural steel"}, Names{"structural steel", "glass"},
+                                    Names{"glass", "glass"}, Names{"ice", "ice"}}) {
     const stoss::Material& its = stoss::named_material(ball);
     const Pair pair = pair_of(its, stoss::named_material(plate));
     const double c = std::sqrt(its.young / its.density), unit = radius / c;

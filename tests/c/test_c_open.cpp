@@ -50,7 +50,7 @@ constexpr const char* cube =
         "modes": {"frequency": [1.6e5, 2.4e5], "displacement": [9, -14]}}})";
 
 TEST(COpen, TakesBodiesByTheirModes) {
-  const std::string ball = R"({"kind": "sphere", "radius": 0.005, "material": "steel"})";
+  const std::string ball = R"({"kind": "sphere", "radius": 0.005, "material": "structural steel"})";
   CContact at_wall, met, meeting, none;
   ASSERT_EQ(stoss_open((R"({"first": )" + std::string(cube) + "}").c_str(), &at_wall), STOSS_OK) << stoss_message();
   EXPECT_DOUBLE_EQ(stoss_speed_unit(at_wall), std::sqrt(2.1e11 / 7850));

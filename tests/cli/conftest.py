@@ -4,6 +4,7 @@ import csv
 import io
 import os
 import re
+import shlex
 import signal
 import subprocess
 import time
@@ -21,8 +22,8 @@ class Command:
         self.path = path
 
     def run(self, *arguments, **options):
-        """Runs the command with `arguments` split at spaces; returns the completed process."""
-        words = [word for argument in arguments for word in argument.split()]
+        """Runs the command with `arguments` split as a shell does; returns the completed process."""
+        words = [word for argument in arguments for word in shlex.split(argument)]
         return subprocess.run(
             [self.path, *words], capture_output=True, text=True, timeout=600, stdin=subprocess.DEVNULL, **options
         )
@@ -35,7 +36,7 @@ class Command:
             signal.signal(signal.SIGINT, signal.SIG_DFL)
             signal.signal(signal.SIGPIPE, signal.SIG_DFL)
 
-        return subprocess.Popen([self.path, *arguments.split()], preexec_fn=defaults, text=True, **options)
+        return subprocess.Popen([self.path, *shlex.split(arguments)], preexec_fn=defaults, text=True, **options)
 
     def data(self, *arguments):
         """Rows of the CSV output, as dictionaries; the command must succeed."""

@@ -6,7 +6,7 @@ import jsonschema
 import pytest
 
 BALL = {"kind": "sphere", "poisson": 0.3}
-STEEL = {"kind": "sphere", "radius": 0.005, "material": "steel"}
+STEEL = {"kind": "sphere", "radius": 0.005, "material": "structural steel"}
 NUMBERS = {"young": 7e10, "poisson": 0.22, "density": 2500}
 
 
@@ -86,11 +86,13 @@ def test_a_named_material_is_its_numbers(stoss):
 @pytest.mark.parametrize(
     "arguments, name, said",
     [
-        ("--material steal --radius 1", "material", "allowed steel, glass"),
-        ("--material steel", "radius", "none, allowed a number in m (with a material)"),
-        ("--material steel --radius 1 --young 1e9", "young", "beside a material, allowed one of the two"),
+        ("--material steal --radius 1", "material", "allowed structural steel, glass"),
+        ("--material steel --radius 1", "material", "allowed 'structural steel' (yields at 235 MPa) or 'bearing steel' (at"),
+        ("--poisson 0.3 --against half-space,material=steel", "material", "'bearing steel'"),
+        ("--material 'structural steel'", "radius", "none, allowed a number in m (with a material)"),
+        ("--material 'structural steel' --radius 1 --young 1e9", "young", "beside a material, allowed one of the two"),
         ("--poisson 0.3 --against half-space,material=glass", "against material", "allowed none, as the first body has none"),
-        ("--material steel --radius 1 --against half-space,material=glass,young=1", "against young", "beside a material"),
+        ("--material 'structural steel' --radius 1 --against half-space,material=glass,young=1", "against young", "beside a material"),
     ],
 )
 def test_refusals(stoss, arguments, name, said):

@@ -21,7 +21,7 @@ KINDS = {
     "distribution": "distribution --poisson 0.33 --speed 0.1 --spectrum 2,0,energy=0.1 --samples 2",
     "extrapolation": "restitution --poisson 0.33 --speed 0.1 --method extrapolate",
     "quasistatic": "quasistatic --poisson 0.33 --speed 1e-6",
-    "predict": "predict --body sphere --material steel --radius 0.005 --speed 1 --against half-space,material=glass",
+    "predict": "predict --body sphere --material 'structural steel' --radius 0.005 --speed 1 --against half-space,material=glass",
     "materials": "materials",
     "table": "table --poisson 0.33 --speed 0.09:0.1 --error 0.05",
 }

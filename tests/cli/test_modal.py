@@ -42,7 +42,7 @@ def test_refuses_in_one_line(stoss, tmp_path):
         (f"--body @{wrong}", "no JSON document"),
         (f"{SPHERE} --against @{wrong}", "no JSON document"),
         (f"--body @{FILES}/bar.json --radius 1", "radius: got --radius"),
-        (f"--body @{FILES}/bar.json --material steel", "material: got --material"),
+        (f"--body @{FILES}/bar.json --material 'structural steel'", "material: got --material"),
         (f"--body @{FILES}/bar.json --against disk", "against"),
         (f"--body @{FILES}/beam_0.json", "plane"),
         (f"--poisson 0.3 --body sphere --against @{FILES}/bar.json", "against material"),

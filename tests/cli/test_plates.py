@@ -5,7 +5,7 @@ import json
 import pytest
 
 BALL = "restitution --body sphere --poisson 0.3 --speed 0.1 --tolerance 0.05"
-STEEL = "restitution --body sphere --material steel --radius 0.005 --speed 1 --tolerance 0.05"
+STEEL = "restitution --body sphere --material 'structural steel' --radius 0.005 --speed 1 --tolerance 0.05"
 GLASS = "thickness=4e-3,material=glass"
 LAMINATED = f"plate,loss_time=0,{GLASS}/thickness=0.8e-3,material=PVB/{GLASS}"
 
@@ -43,7 +43,7 @@ def test_si_is_a_matter_of_units(stoss):
 
 
 def test_a_strip_in_plane_strain(stoss):
-    said = inputs(stoss, "restitution --material steel --radius 0.01 --plane strain --speed 10 --tolerance 0.05",
+    said = inputs(stoss, "restitution --material 'structural steel' --radius 0.01 --plane strain --speed 10 --tolerance 0.05",
                   "--against strip,thickness=0.1,material=glass")  # fmt: skip
     assert said["against"] == "strip" and said["against_thickness[m]"] == 0.1
     assert said["against_poisson"] == pytest.approx(0.22 / 0.78)
@@ -81,7 +81,7 @@ def test_refusals(stoss, against, name, said):
     "against, said",
     [
         ("plate,material=glass", "against thickness: got none, allowed a number in m"),
-        (f"plate,{GLASS}/thickness=1e-3,material=tin", "material: got 'tin', allowed steel"),
+        (f"plate,{GLASS}/thickness=1e-3,material=tin", "material: got 'tin', allowed structural steel"),
         (f"plate,{GLASS}/thickness=1e-3", "against: got plate without young"),
         (LAMINATED.replace("loss_time=0,", ""), "against loss_time: got layers with 1.59"),
     ],

@@ -14,7 +14,7 @@ def rows(stoss, arguments):
 
 @pytest.mark.numbers
 def test_shares_add_up(stoss):
-    for row in rows(stoss, f"{BALL} --material steel --against half-space,material=glass --speed 0.01,1"):
+    for row in rows(stoss, f"{BALL} --material 'structural steel' --against half-space,material=glass --speed 0.01,1"):
         assert sum(row[name] for name in CHANNELS) == pytest.approx(1 - row["restitution"] ** 2, abs=1e-9)
         assert row["restitution_low"] <= row["restitution"] <= row["restitution_high"]
         assert row["rebound_height"] == pytest.approx(row["restitution"] ** 2 * row["drop_height"])
@@ -65,18 +65,18 @@ def test_refuses_in_one_line(stoss):
     for arguments, said in (
         ("--poisson 0.3 --young 2e11 --density 7800 --radius 0.01 --speed 1", "body: got a disk"),
         ("--body sphere --poisson 0.3 --speed 0.1", "material: got none"),
-        (f"{BALL} --material steel --speed -1", "speed: got -1"),
-        (f"{BALL} --material steel --speed nan", "speed"),
-        (f"{BALL} --material steel --height 0", "height: got 0"),
-        (f"{BALL} --material steel --speed 1 --adhesion -1", "adhesion: got -1"),
-        (f"{BALL} --material steel --speed 1 --uncertainty young", "NAME=U"),
-        (f"{BALL} --material steel --speed 1 --uncertainty colour=1", "uncertainties: got 'colour'"),
-        (f"{BALL} --material steel --speed 1 --uncertainty against.young=1", "uncertainties: got 'against.young'"),
+        (f"{BALL} --material 'structural steel' --speed -1", "speed: got -1"),
+        (f"{BALL} --material 'structural steel' --speed nan", "speed"),
+        (f"{BALL} --material 'structural steel' --height 0", "height: got 0"),
+        (f"{BALL} --material 'structural steel' --speed 1 --adhesion -1", "adhesion: got -1"),
+        (f"{BALL} --material 'structural steel' --speed 1 --uncertainty young", "NAME=U"),
+        (f"{BALL} --material 'structural steel' --speed 1 --uncertainty colour=1", "uncertainties: got 'colour'"),
+        (f"{BALL} --material 'structural steel' --speed 1 --uncertainty against.young=1", "uncertainties: got 'against.young'"),
     ):
         result = stoss.run("predict", arguments)
         assert result.returncode == 3 and said in result.stderr and result.stderr.count("\n") == 1, result.stderr
-    nothing = stoss.run("predict", f"{BALL} --material steel")
+    nothing = stoss.run("predict", f"{BALL} --material 'structural steel'")
     assert nothing.returncode == 2 and "--speed or --height" in nothing.stderr
     for arguments, said in (("--adhesion 0.1", "only with --predict"), ("--predict --oblique", "only without")):
-        table = stoss.run("table", f"{BALL} --material steel --speed 1:2", arguments)
+        table = stoss.run("table", f"{BALL} --material 'structural steel' --speed 1:2", arguments)
         assert table.returncode == 3 and said in table.stderr

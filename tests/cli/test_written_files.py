@@ -2,6 +2,7 @@
 
 import os
 import re
+import shlex
 import sys
 from pathlib import Path
 
@@ -11,7 +12,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "support"))
 from written import Watched  # noqa: E402
 
 NU = "--poisson 0.33 --speed 0.1"
-STEEL = "--body sphere --material steel --radius 0.005"
+STEEL = "--body sphere --material 'structural steel' --radius 0.005"
 JOBS = [
     "modes --poisson 0.33 --cutoff 3", f"impact {NU} --cutoff 12.5",
     f"bounce {NU} --cutoff 4 --flight-time 30 --count 2", f"restitution {NU} --tolerance 0.1",
@@ -36,13 +37,13 @@ def watched(tmp_path):
 
 @pytest.mark.parametrize("job", [*JOBS, *TABLES, "schema", "--help", "--version", *(f"{job.split()[0]} --help" for job in JOBS)])
 def test_nothing_is_written_without_a_name(watched, job):
-    done, written = watched.run(os.environ["STOSS"], *job.split())
+    done, written = watched.run(os.environ["STOSS"], *shlex.split(job))
     assert (done.returncode, written) == (0, set()), done.stderr
 
 
 @pytest.mark.parametrize("job", WRITTEN)
 def test_only_what_is_named_is_written(watched, job):
-    done, written = watched.run(os.environ["STOSS"], *job.split())
+    done, written = watched.run(os.environ["STOSS"], *shlex.split(job))
     assert done.returncode == 0, done.stderr
     assert {name for name in written if not BESIDE.fullmatch(name)} == {"out"}
     assert [path.name for path in watched.here.iterdir()] == ["out"]
@@ -51,5 +52,5 @@ def test_only_what_is_named_is_written(watched, job):
 @pytest.mark.parametrize("job", ["restitution --poisson 7 --speed 0.1 -o out", "restitution --poisson 0.33 --speed x --resume out",
                                  "table --poisson 0.33 --speed 0.1 -o out", "modes --poisson 0.33 -o out/of/nowhere"])  # fmt: skip
 def test_a_refusal_writes_nothing(watched, job):
-    done, written = watched.run(os.environ["STOSS"], *job.split())
+    done, written = watched.run(os.environ["STOSS"], *shlex.split(job))
     assert done.returncode in (2, 3, 4) and written == set()

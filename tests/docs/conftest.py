@@ -3,6 +3,7 @@
 import csv
 import math
 import os
+import shlex
 import subprocess
 from pathlib import Path
 
@@ -35,7 +36,7 @@ def table(name):
 
 def command(arguments):
     """The rows that a command prints: the arguments of the program that the environment variable STOSS names."""
-    words = [os.environ["STOSS"], *arguments.split(), "--format", "csv"]
+    words = [os.environ["STOSS"], *shlex.split(arguments), "--format", "csv"]
     found = subprocess.run(words, capture_output=True, text=True, timeout=120)
     assert found.returncode in (0, 1), found.stderr  # 1: a value misses its tolerance
     return rows(found.stdout.splitlines())

@@ -2,6 +2,7 @@
 
 import os
 import re
+import shlex
 import subprocess
 
 import pytest
@@ -18,14 +19,14 @@ def lost(arguments):
 
 
 def test_command_prints_what_the_page_shows():
-    words = re.search(r"stoss (restitution --body sphere .*?)\n```", PAGE, re.DOTALL)[1].replace("\\\n", " ").split()
-    found = subprocess.run([os.environ["STOSS"], *words], capture_output=True, text=True, timeout=60, cwd=ROOT)
+    words = re.search(r"stoss (restitution --body sphere .*?)\n```", PAGE, re.DOTALL)[1].replace("\\\n", " ")
+    found = subprocess.run([os.environ["STOSS"], *shlex.split(words)], capture_output=True, text=True, timeout=60, cwd=ROOT)
     assert found.stdout.rstrip() in PAGE
 
 
 @pytest.mark.parametrize("place", [0, 30, 55, 95])
 def test_sweet_spot(place):
-    struck = f"--body sphere --radius 0.005 --material steel --against @{BODIES}/beam_{place}.json"
+    struck = f"--body sphere --radius 0.005 --material 'structural steel' --against @{BODIES}/beam_{place}.json"
     slow, fast = (lost(f"{struck} --speed {speed}") for speed in (0.05, 0.5))
     assert f"| {place} mm | {with_error(*slow)} | {with_error(*fast)} |" in PAGE
 
@@ -45,8 +46,8 @@ def test_bars_and_balls():
 
 def test_plate_of_sixty_thicknesses():
     """It is the infinite plate until its rim echoes, within an error of a tenth of the loss at most."""
-    ball = "--body sphere --radius 0.01 --material steel --speed 0.05"
-    (infinite,) = command(f"restitution {ball} --against plate,thickness=0.005,material=steel --tolerance 0.01")
+    ball = "--body sphere --radius 0.01 --material 'structural steel' --speed 0.05"
+    (infinite,) = command(f"restitution {ball} --against 'plate,thickness=0.005,material=structural steel' --tolerance 0.01")
     (finite,) = command(f"restitution {ball} --against @{BODIES}/plate.json --tolerance 0.05")
     off = abs(finite["lost_fraction"] - infinite["lost_fraction"])
     assert off < finite["lost_fraction_error"] < 0.1 * finite["lost_fraction"]

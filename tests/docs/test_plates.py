@@ -12,8 +12,8 @@ FAST, MAP, BLOCK, LAYERS = (table(f"docs/results/plates/{name}.csv") for name in
 # Both speeds and both thicknesses have a unit more in this table.
 TEXT = (ROOT / "docs/results/plates/materials.csv").read_text(encoding="utf-8").replace("speed[c]", "own_speed")
 MATERIALS = rows(TEXT.replace("thickness[m]", "si_thickness").splitlines())
-PAIRS = (("steel", "steel"), ("steel", "glass"), ("glass", "glass"), ("ice", "ice"))
-SOLIDS = {"steel": (2.1e11, 0.3, 7850), "glass": (7e10, 0.22, 2500), "ice": (9.3e9, 0.33, 917)}
+PAIRS = (("structural steel", "structural steel"), ("structural steel", "glass"), ("glass", "glass"), ("ice", "ice"))
+SOLIDS = {"structural steel": (2.1e11, 0.3, 7850), "glass": (7e10, 0.22, 2500), "ice": (9.3e9, 0.33, 917)}
 
 
 def thickness(value):
@@ -165,7 +165,7 @@ def test_numbers_of_the_theory():
 
 
 def test_numbers_of_a_steel_ball():
-    rows = of("steel", "steel", 1.0)
+    rows = of("structural steel", "structural steel", 1.0)
     h = min(rows, key=lambda each: abs(each - 0.4))
     assert f"\\lambda = {rows[h]['inelasticity'] * (h / 0.4) ** 2:.3f}$" in THEORY
     assert rows[0.2]["deflection"] == pytest.approx(0.042, abs=5e-4) and "1 mm by 4 %" in THEORY.replace("\n", " ")

@@ -139,8 +139,12 @@ TEST(EncounterDocument, IsRefusedInOneLine) {
             "first: got \"poison\", allowed kind, poisson, radius, young, density, loss_time, material, plane, rigid");
   EXPECT_EQ(said(R"({"first":{"kind":"disk","poisson":0.3},"speed":1})"),
             "encounter: got \"speed\", allowed format, first, against, vibration, friction");
-  EXPECT_EQ(said(R"({"first":{"kind":"sphere","radius":1,"material":"steal"}})").substr(0, 45),
-            "material: got 'steal', allowed steel, glass, ");
+  EXPECT_EQ(said(R"({"first":{"kind":"sphere","radius":1,"material":"steal"}})").substr(0, 56),
+            "material: got 'steal', allowed structural steel, glass, ");
+  EXPECT_EQ(
+      said(R"({"first":{"kind":"sphere","radius":1,"material":"steel"}})"),
+      "material: got 'steel', allowed 'structural steel' (yields at 235 MPa) or 'bearing steel' (at 1.7 GPa): their "
+      "yield speeds differ by a factor of 140");
   EXPECT_EQ(said("{").substr(0, 42), "encounter: got no JSON document, allowed o");
   for (const char* text : {"", "[]", "1e999", "{\"first\":[]}", R"({"first":"wall"})", "\xff", R"({"first":{}})"}) {
     EXPECT_NE(said(text), "") << text;

@@ -18,7 +18,7 @@ namespace stoss {
 namespace {
 
 const std::string ball = R"({"first":{"kind":"sphere","poisson":0.3},"against":)";
-const std::string steel_ball = R"({"first":{"kind":"sphere","radius":0.005,"material":"steel"},"against":)";
+const std::string steel_ball = R"({"first":{"kind":"sphere","radius":0.005,"material":"structural steel"},"against":)";
 const std::string laminated =
     R"({"kind":"plate","layers":[{"thickness":0.004,"material":"glass"},{"thickness":0.0008,"material":"PVB"},)"
     R"({"thickness":0.004,"material":"glass"}],"loss_time":0.0}})";
@@ -63,7 +63,8 @@ TEST(Plates, MayHaveLayersOfWhichTheLastHasNoEnd) {
 
 TEST(Plates, InSIAreRatiosToTheBall) {
   const Plate pane = plate_of(steel_ball + laminated);
-  const Material &steel = named_material("steel"), &glass = named_material("glass"), &pvb = named_material("PVB");
+  const Material &steel = named_material("structural steel"), &glass = named_material("glass"),
+                 &pvb = named_material("PVB");
   EXPECT_DOUBLE_EQ(pane.thickness, 0.8);
   EXPECT_DOUBLE_EQ(pane.young, glass.young / steel.young);
   EXPECT_EQ(pane.loss_time, 0.0);

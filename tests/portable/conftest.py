@@ -4,6 +4,7 @@ the build tree around it has the rest."""
 import json
 import os
 import re
+import shlex
 import subprocess
 from pathlib import Path
 
@@ -36,6 +37,6 @@ def record():
     """The first record of what the command prints as JSON."""
 
     def of(arguments):
-        return json.loads(run(COMMAND, *arguments.split(), "--format", "json").stdout)["records"][0]
+        return json.loads(run(COMMAND, *shlex.split(arguments), "--format", "json").stdout)["records"][0]
 
     return of

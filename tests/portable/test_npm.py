@@ -21,7 +21,7 @@ pytestmark = pytest.mark.skipif(
 SAME = 1e-12
 
 SPHERE = {"kind": "sphere", "poisson": 0.3}
-BALL = {"kind": "sphere", "radius": 0.005, "material": "steel"}
+BALL = {"kind": "sphere", "radius": 0.005, "material": "structural steel"}
 
 
 @pytest.fixture(scope="session")
@@ -73,7 +73,7 @@ def test_what_is_packed(packed):
     ({"first": SPHERE}, 0.01, "--body sphere --poisson 0.3 --speed 0.01"),
     ({"first": {"kind": "disk", "poisson": 0.33}, "against": "same"}, 0.1, "--poisson 0.33 --against same --speed 0.1"),
     ({"first": BALL, "against": {"kind": "half-space", "material": "glass"}}, 1,
-     "--body sphere --radius 0.005 --material steel --against half-space,material=glass --speed 1"),
+     "--body sphere --radius 0.005 --material 'structural steel' --against half-space,material=glass --speed 1"),
 ])
 def test_restitution_is_that_of_the_command(node, record, encounter, speed, line):
     ours = node(asked(encounter, ("restitution", {"speed": speed})))
@@ -100,7 +100,7 @@ const seen = [];
 const all = stoss.curve('{"first": {"kind": "disk", "poisson": 0.33}}', { speeds: [0.1, 0.02] },
   ({ speed }, index) => seen.push([speed, index]));
 console.log(JSON.stringify({ all, seen, version: stoss.version, title: stoss.schema().title,
-  steel: stoss.materials.find(({ name }) => name === 'steel') }));
+  steel: stoss.materials.find(({ name }) => name === 'structural steel') }));
 """)
     assert (answer["version"], answer["title"]) == (VERSION, "stoss encounter 1")
     assert answer["steel"]["young"] > 1e11
@@ -141,7 +141,7 @@ import { type Against, CoreError, type Encounter, load, type Stoss } from 'stoss
 
 const stoss: Stoss = await load({ alive: () => {} });
 const block: Against = { kind: 'half-space', material: { young: 7e10, poisson: 0.22, density: 2500 } };
-const encounter: Encounter = { first: { kind: 'sphere', radius: 5e-3, material: 'steel' }, against: block };
+const encounter: Encounter = { first: { kind: 'sphere', radius: 5e-3, material: 'structural steel' }, against: block };
 export const epsilon: number = stoss.restitution(encounter, { speed: 1 }).quantities['restitution']!.value;
 export const speeds: number[] = stoss.curve(encounter, { speeds: [1, 2] as const }).map(({ speed }) => speed);
 export const angle: number | undefined = stoss.obliqueAngles(encounter, { speed: 1, friction: 0.1, angles: [30] },

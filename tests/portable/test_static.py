@@ -2,6 +2,7 @@
 
 import os
 import re
+import shlex
 import shutil
 import subprocess
 
@@ -19,7 +20,7 @@ LINES = [
     "restitution --body disk --poisson 0.33 --speed log:1e-3:0.1:4 --threads 2 --format csv",
     "restitution --body sphere --poisson 0.3 --speed 0.01 --against half-space --format json",
     "restitution --body rod --speed 0.1 --tolerance 0.1 --format table",
-    "impact --body sphere --radius 0.005 --material steel --speed 1 --format json",
+    "impact --body sphere --radius 0.005 --material 'structural steel' --speed 1 --format json",
     "oblique --body sphere --poisson 0.3 --speed 0.01 --friction 0.3 --angle 30 --format csv",
     "distribution --poisson 0.33 --speed 0.1 --samples 4 --temperature 0.01 --seed 7 --threads 2 --format csv",
     "modes --body disk --poisson 0.33 --cutoff 12 --format csv",
@@ -54,7 +55,7 @@ def test_it_needs_no_other_file():
 
 @pytest.mark.parametrize("line", LINES)
 def test_in_an_empty_root_it_says_the_same(empty_root, line):
-    words = line.split()
+    words = shlex.split(line)
     theirs = said(COMMAND, *words)
     assert said("chroot", empty_root, "/stoss", *words) == theirs
     assert theirs[0] in (0, 1, 3), theirs  # the line itself is one
@@ -62,14 +63,14 @@ def test_in_an_empty_root_it_says_the_same(empty_root, line):
 
 def test_it_writes_its_file_there(empty_root):
     line = "restitution --body disk --poisson 0.33 --speed 0.1 --format csv --output /rows.csv"
-    assert said("chroot", empty_root, "/stoss", *line.split())[0] == 0
+    assert said("chroot", empty_root, "/stoss", *shlex.split(line))[0] == 0
     assert b"restitution" in (empty_root / "rows.csv").read_bytes()
     assert sorted(path.name for path in empty_root.iterdir()) == ["rows.csv", "stoss"]
 
 
 def test_without_python_it_says_so_in_one_line(empty_root):
-    line = "fit --law hunt-crossley --body sphere --material steel --radius 0.005 --speed 0.1:1"
-    status, _, message = said("chroot", empty_root, "/stoss", *line.split())
+    line = "fit --law hunt-crossley --body sphere --material 'structural steel' --radius 0.005 --speed 0.1:1"
+    status, _, message = said("chroot", empty_root, "/stoss", *shlex.split(line))
     assert (status, message.count(b"\n")) == (4, 1)
     assert re.search(rb"cannot run python3", message)
 

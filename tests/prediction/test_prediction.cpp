@@ -54,8 +54,8 @@ TEST(Predict, WithoutModelsIsTheCertifiedRestitution) {
 }
 
 TEST(Predict, SharesAddUpAndTheBandHoldsTheValue) {
-  for (const auto& [ball, block] :
-       std::vector<std::pair<std::string, std::string>>{{"steel", "steel"}, {"rubber", "steel"}, {"brass", "glass"}}) {
+  for (const auto& [ball, block] : std::vector<std::pair<std::string, std::string>>{
+           {"structural steel", "structural steel"}, {"rubber", "structural steel"}, {"brass", "glass"}}) {
     for (const Prediction& made : predict(ball_on(ball, block), {1e-3, 0.03, 1.0})) {
       EXPECT_NEAR(sum(made), 1.0 - made.restitution * made.restitution, 1e-9) << ball << made.speed;
       for (const double share : made.shares) EXPECT_GE(share, -1e-9) << ball << made.speed;
@@ -172,8 +172,8 @@ TEST(Predict, WarnsWithTheSpeedsAtWhichModelsMatter) {
 
 TEST(Predict, IsTheSameForAnyNumberOfThreads) {
   const std::vector<double> speeds{0.01, 0.1, 1.0};
-  const auto one = predict(ball_on("glass", "steel"), speeds, {.threads = 1});
-  const auto two = predict(ball_on("glass", "steel"), speeds, {.threads = 2});
+  const auto one = predict(ball_on("glass", "structural steel"), speeds, {.threads = 1});
+  const auto two = predict(ball_on("glass", "structural steel"), speeds, {.threads = 2});
   for (std::size_t i = 0; i < speeds.size(); ++i) EXPECT_EQ(one[i].restitution, two[i].restitution);
 }
 
@@ -191,7 +191,9 @@ TEST(Predict, RefusesWhatItsModelsDoNotKnow) {
   test::expect_refusal([&] { (void)predict(read(R"({"first": {"kind": "sphere", "poisson": 0.3}})"), {0.1}); },
                        {"material: got none"});
   test::expect_refusal(
-      [&] { (void)predict(read(R"({"first": {"kind": "disk", "material": "steel", "radius": 1}})"), {1.0}); },
+      [&] {
+        (void)predict(read(R"({"first": {"kind": "disk", "material": "structural steel", "radius": 1}})"), {1.0});
+      },
       {"body: got a disk, allowed a sphere"});
   test::expect_refusal([&] { (void)predict(own(""), {-1.0}); }, {"speed: got -1"});
   test::expect_refusal([&] { (void)predict(own(""), {std::nan("")}); }, {"speed: got"});

@@ -10,6 +10,7 @@ of its own.
 import csv
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -20,7 +21,7 @@ ERROR_DIGITS = 1e-6
 # As large as rounding itself: sums that would be 0.
 NOISE = 1e-11
 
-BALL = "--body sphere --material steel --radius 0.005"
+BALL = "--body sphere --material 'structural steel' --radius 0.005"
 CURVE = "restitution --poisson 0.33 --speed 0.1,0.2,0.3"
 JOBS = [
     "modes --poisson 0.33 --cutoff 10 --format csv",
@@ -54,7 +55,7 @@ class Differs(Exception):
 
 def run(command, job, code=0):
     """What a job writes on stdout, or with an exit code above 0 on stderr; \\r\\n counts as it is."""
-    done = subprocess.run([*command, *job.split()], capture_output=True, timeout=1200)
+    done = subprocess.run([*command, *shlex.split(job)], capture_output=True, timeout=1200)
     if done.returncode != code:
         raise Differs(f"{job}: exit code {done.returncode}, not {code}\n{done.stderr.decode(errors='replace')}")
     return (done.stderr if code else done.stdout).decode()
@@ -112,7 +113,7 @@ def main(arguments):
         for job in JOBS:
             largest = max(largest, same(run(native, job), run(command, job), job))
         for job in REFUSED:
-            code = subprocess.run([*native, *job.split()], capture_output=True).returncode
+            code = subprocess.run([*native, *shlex.split(job)], capture_output=True).returncode
             same(run(native, job, code), run(command, job, code), job)
         kept(native, command, folder)
     print(f"{len(JOBS)} jobs agree, numbers above 0.001 to {largest:.1e}; {len(REFUSED)} are refused alike; "

@@ -8,7 +8,7 @@
 /// An encounter as a JSON document:
 ///
 ///   {"format": "stoss encounter 1",
-///    "first": {"kind": "sphere", "radius": 0.005, "material": "steel"},
+///    "first": {"kind": "sphere", "radius": 0.005, "material": "structural steel"},
 ///    "against": {"kind": "half-space", "material": {"young": 7e10, "poisson": 0.22, "density": 2500}},
 ///    "vibration": [{"body": "first", "order": 2, "index": 0, "energy": 0.1, "phase": 0}],
 ///    "friction": 0.3}
@@ -17,7 +17,8 @@
 /// document of another or a later format is refused. A plate of layers has in place of its numbers a list of those of
 /// its layers, from the top down:
 ///
-///   {"kind": "plate", "layers": [{"thickness": 1e-5, "material": "steel"}, {"material": "glass"}], "loss_time": 0}
+///   {"kind": "plate", "layers": [{"thickness": 1e-5, "material": "structural steel"}, {"material": "glass"}],
+///   "loss_time": 0}
 namespace stoss {
 
 /// Reads a document. @throws InvalidInput with one line: what is wrong where, and what is allowed

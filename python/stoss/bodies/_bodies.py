@@ -30,7 +30,7 @@ class Disk(Solid):
     Examples:
         >>> stoss.impact(stoss.Disk(poisson=0.33), speed=0.1, cutoff=25).contacts
         1
-        >>> stoss.Disk(radius=5e-3, material=stoss.materials["steel"], plane="strain").poisson
+        >>> stoss.Disk(radius=5e-3, material=stoss.materials["structural steel"], plane="strain").poisson
         0.4285714285714286
     """
 
@@ -60,7 +60,7 @@ class Sphere(Solid):
     Examples:
         >>> stoss.impact(stoss.Sphere(poisson=0.3), speed=0.1, cutoff=25).contacts
         1
-        >>> ball = stoss.Sphere(radius=5e-3, material=stoss.materials["steel"])
+        >>> ball = stoss.Sphere(radius=5e-3, material=stoss.materials["structural steel"])
         >>> round(ball.scales.speed), round(ball.scales.time * 1e6, 3)
         (5172, 0.967)
         >>> lossy = stoss.restitution(stoss.Sphere(poisson=0.3, loss_time=0.3), speed=0.01)

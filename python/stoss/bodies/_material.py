@@ -9,6 +9,7 @@ from typing import Any, Mapping, NamedTuple
 
 from stoss import _core
 from stoss._arguments import brief, number, optional_number, refusal
+from stoss._errors import InvalidInput
 
 
 class Scales(NamedTuple):
@@ -111,14 +112,25 @@ class Material:
         return {"poisson": poisson, "young": modulus, "density": self.density}
 
 
+class _Materials(dict[str, Material]):
+    """Those of the core, which says which there are."""
+
+    def __missing__(self, name: Any) -> Material:
+        _core.require_material(str(name))
+        raise KeyError(name)
+
+
 materials: Mapping[str, Material] = MappingProxyType(
-    {
-        name: Material(
-            young=young, poisson=poisson, density=density, yield_strength=strength, loss_time=loss_time,
-            surface_energy=energy,
+    _Materials(
+        (
+            name,
+            Material(
+                young=young, poisson=poisson, density=density, yield_strength=strength, loss_time=loss_time,
+                surface_energy=energy,
+            ),
         )  # fmt: skip
         for name, young, poisson, density, strength, loss_time, energy in _core.named_materials()
-    }
+    )
 )
 """Typical materials, those of the command: ``stoss materials`` lists them with their sources.
 

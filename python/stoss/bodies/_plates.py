@@ -129,7 +129,7 @@ def _require(plate: Specification, material: Material | None) -> None:
     """Refuse layers that do not go together, as the core does where a sphere meets them."""
     ball: Specification = {"kind": "sphere", "poisson": 0.3}
     if material is not None:
-        ball = {"kind": "sphere", "radius": 1.0, "material": "steel"}
+        ball = {"kind": "sphere", "radius": 1.0, "material": "structural steel"}
     try:
         _core.encounter(json.dumps({"first": ball, "against": plate}))
     except InvalidInput as error:

@@ -182,7 +182,7 @@ def fit(
             itself, whose contact ends where its force is gone.
 
     Examples:
-        >>> ball = stoss.Sphere(radius=5e-3, material=stoss.materials["steel"])
+        >>> ball = stoss.Sphere(radius=5e-3, material=stoss.materials["structural steel"])
         >>> best = stoss.fit(ball, against="same", law="viscoelastic", speed=(0.01, 1), program="lammps")
         >>> best
         Fit(viscoelastic, Sphere(poisson=0.3, radius=0.005 m) against Sphere(poisson=0.3, radius=0.005 m):

@@ -124,8 +124,6 @@ def _material(given: argparse.Namespace) -> None:
             raise InvalidInput("material: got a name and constants, allowed one of both")
         from stoss import materials
 
-        if given.material not in materials:
-            raise InvalidInput(f"material: got {given.material!r}, allowed {', '.join(materials)}")
         named = materials[given.material]
         given.young, given.poisson, given.density = named.young, named.poisson, named.density
     elif any(each is None for each in constants):

@@ -208,7 +208,7 @@ def restitution_function(
         RestitutionFunction(Disk(poisson=0.33), speed=0.001 to 0.3 c, beyond='law': ... speeds computed, error below ...)
         >>> round(epsilon(0.1), 3), epsilon.error(0.1) < 1e-3, epsilon([0.01, -0.1]).round(2)
         (0.947, True, array([0.98, 0.95]))
-        >>> steel = stoss.Sphere(radius=5e-3, material=stoss.materials["steel"])
+        >>> steel = stoss.Sphere(radius=5e-3, material=stoss.materials["structural steel"])
         >>> block = stoss.HalfSpace(material=steel.material)
         >>> drop = stoss.restitution_function(steel, against=block, speed=(0.01, 0.5))  # m/s
         >>> direct = stoss.restitution(steel, against=block, speed=0.2)

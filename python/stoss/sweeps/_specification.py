@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import brief, refusal
+from stoss._errors import InvalidInput
 from stoss.bodies._bodies import PARTNERS, Body
 from stoss.bodies._material import Material, materials
 from stoss.bodies._modal import ModalBody
@@ -96,11 +97,14 @@ def _material(name: str, given: Any) -> Material:
     """By its name in stoss.materials, or of its constants."""
     if isinstance(given, Material):
         return given
-    if isinstance(given, str) and given in materials:
-        return materials[given]
+    if isinstance(given, str):
+        try:
+            return materials[given]
+        except InvalidInput as error:
+            raise InvalidInput(f"{name}: {error}") from None
     known = {"young", "poisson", "density", "yield_strength", "loss_time", "surface_energy", "quality"}
     if not isinstance(given, Mapping) or not {"young", "poisson", "density"} <= set(given) <= known:
-        raise refusal(f"{name}: material", given, f"one of {', '.join(materials)}, or young, poisson and density")
+        raise refusal(f"{name}: material", given, "a name of stoss.materials, or young, poisson and density")
     return Material(**given)
 
 

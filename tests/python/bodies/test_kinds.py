@@ -59,7 +59,7 @@ def test_what_is_left_out_is_what_the_core_takes(kind):
 def test_a_material_makes_what_the_core_says(kind):
     if KINDS[kind]["wall"]:
         return
-    steel, sizes = stoss.materials["steel"], {"radius", "length", "area", "thickness"}
+    steel, sizes = stoss.materials["structural steel"], {"radius", "length", "area", "thickness"}
     own = [name for name, *_, of_material in KINDS[kind]["numbers"] if not of_material and name in sizes]
     one = CLASSES[kind](material=steel, **dict.fromkeys(own, 0.01))
     assert own == {"rod": ["length", "area"], "disk": ["radius"], "sphere": ["radius"]}.get(

@@ -212,7 +212,7 @@ def test_what_works_on_any_pair(body):
 
 def test_sweeps_take_it(tmp_path, body):
     grid = stoss.Grid(bodies=[body, {"kind": "modal", "body": body.to_dict() | {"name": "other"}}],
-                      against=["wall", {"kind": "half-space", "material": "steel"}], speed=[0.5])  # fmt: skip
+                      against=["wall", {"kind": "half-space", "material": "structural steel"}], speed=[0.5])  # fmt: skip
     assert stoss.Grid.from_dict(json.loads(json.dumps(grid.to_dict()))) == grid
     made = stoss.sweep(grid, store=tmp_path / "store")
     assert made.restitution.shape == (2, 2, 1) and np.all(made.restitution[0] == made.restitution[1])

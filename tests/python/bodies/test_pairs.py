@@ -66,7 +66,7 @@ def test_swapping_changes_names_only():
 
 
 def test_units_are_the_users():
-    steel, glass = stoss.materials["steel"], stoss.materials["glass"]
+    steel, glass = stoss.materials["structural steel"], stoss.materials["glass"]
     for factor in (1.0, 7.0):  # geometrically similar
         first = stoss.Disk(radius=0.01 * factor, material=steel, loss_time=0, plane="strain")
         second = stoss.Disk(radius=0.02 * factor, material=glass, loss_time=0, plane="strain")
@@ -99,7 +99,7 @@ def test_rods_are_exact(first, second, value):
 
 
 def test_rods_in_si():
-    steel = stoss.materials["steel"]
+    steel = stoss.materials["structural steel"]
     long, short = (stoss.Rod(length=length, area=1e-4, material=steel, loss_time=0) for length in (0.4, 0.2))
     hit = stoss.impact(short, against=long, speed=1.0, cutoff=1000)
     assert hit.restitution == pytest.approx(0.5, abs=2e-3)
@@ -181,7 +181,7 @@ def test_a_pair_is_a_value(pair, tmp_path):
 
 
 def test_refusals():
-    steel = stoss.Disk(radius=0.01, material=stoss.materials["steel"])
+    steel = stoss.Disk(radius=0.01, material=stoss.materials["structural steel"])
     for first, second, hint in (
         (ONE, steel, "two bodies with a material, or two without"), (steel, ONE, "two bodies with a material"),
         (ONE, stoss.Rod(), "a disk meets disks"), (stoss.Rod(), ONE, "a disk meets disks"),

@@ -13,7 +13,7 @@ from stoss.bodies._solid import describe
 from stoss.sweeps._specification import make
 
 BALL = stoss.Sphere(poisson=0.3)
-STEEL, GLASS, PVB = (stoss.materials[name] for name in ("steel", "glass", "PVB"))
+STEEL, GLASS, PVB = (stoss.materials[name] for name in ("structural steel", "glass", "PVB"))
 IN_SI = stoss.Sphere(radius=5e-3, material=STEEL)
 PANE, FILM = stoss.Layer(thickness=4e-3, material=GLASS), stoss.Layer(thickness=0.8e-3, material=PVB)
 LAMINATED = stoss.Plate(layers=[PANE, FILM, PANE], loss_time=0)

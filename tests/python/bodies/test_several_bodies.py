@@ -6,7 +6,7 @@ import pytest
 import stoss
 
 BALL = stoss.Sphere(poisson=0.3)
-STEEL = stoss.materials["steel"]
+STEEL = stoss.materials["structural steel"]
 
 
 def test_several_spheres_broadcast_with_the_speeds(tmp_path, closed):

@@ -11,7 +11,7 @@ import stoss
 
 BALL = stoss.Sphere(poisson=0.3)
 MASS = 4 * math.pi / 3  # ρR³
-STEEL = stoss.materials["steel"]
+STEEL = stoss.materials["structural steel"]
 
 
 @pytest.fixture(scope="module")

@@ -72,17 +72,17 @@ def test_head_on(law, program, tmp_path):
 
 @pytest.mark.parametrize("law, program", [*HEAD_ON[:-1], *YADE])
 def test_at_angles(law, program, tmp_path):
-    fit, normal, along = collide(law, program, "steel", FRICTION, tmp_path, ANGLED)
+    fit, normal, along = collide(law, program, "structural steel", FRICTION, tmp_path, ANGLED)
     assert normal == pytest.approx(np.repeat(fit.fitted.restitution(ANGLED)[:, None], 7, axis=1), abs=1e-3)
     assert along == pytest.approx(fit.fitted.tangential_restitution(ANGLED, SLIDING), abs=1e-3)
     misfit = fit.misfit["tangential_restitution"].maximum
-    assert np.abs(along - at_angles("steel").tangential_restitution).max() <= misfit + 1e-3
+    assert np.abs(along - at_angles("structural steel").tangential_restitution).max() <= misfit + 1e-3
 
 
 def test_friction_hardly_acts_in_mujoco(tmp_path):
     """What docs/laws.md says: it brakes sliding with the dashpot of the normal, which almost elastic balls lack."""
     one = SPEEDS[2:3]
-    fit, normal, along = collide("mujoco", "mujoco", "steel", FRICTION, tmp_path, one)
+    fit, normal, along = collide("mujoco", "mujoco", "structural steel", FRICTION, tmp_path, one)
     assert normal == pytest.approx(fit.fitted.restitution(one)[0], abs=1e-3)
     assert np.all(along < -0.999) and "tangential_restitution" not in fit.misfit
 

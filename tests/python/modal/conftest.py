@@ -3,6 +3,7 @@
 import importlib.util
 import json
 import os
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -49,7 +50,7 @@ class Modal:
 
     def run(self, words, launcher=(), program=("-m", "stoss.modal")):
         """The completed process."""
-        command = [*launcher, sys.executable, *program, *words.split()]
+        command = [*launcher, sys.executable, *program, *shlex.split(words)]
         options = {"capture_output": True, "text": True, "timeout": 500}
         return subprocess.run(command, cwd=self.folder, env=ENVIRONMENT, **options)
 

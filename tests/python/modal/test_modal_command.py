@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from conftest import BALL, SMALL, SPHERE, UNITS
 
-STEEL = "--material steel"
+STEEL = "--material 'structural steel'"
 QUICK = f"{UNITS} --poisson 0.3 --size 0.6 --size-at-point 0.09 --modes 5"
 MESHES = "fine.msh coarse.msh"
 EDGES_OF_HALF = r"too coarse at the point: edges of (\S+) m, allowed (\S+) m, better a fourth of that"
@@ -55,6 +55,7 @@ def meshes(modal):
         (f"box.geo --point 0.9,0,1 --normal 0,0,1 {STEEL} --size 1 --size-at-point 0.1", BOX_ENDS),
         (f"{MESHES} --point 1,2 --normal 0,0,1 {STEEL}", "--point"),
         (f"{MESHES} {BALL} {STEEL} --modes 0", "modes: got 0"),
+        (f"{MESHES} {BALL} --material steel", "'structural steel' (yields at 235 MPa) or 'bearing steel'"),
     ],
 )
 def test_refusals(modal, meshes, words, said):

@@ -207,6 +207,20 @@ def test_one_body_only(steel):
         _ = impact().speed_si
 
 
+def test_materials_are_refused_by_the_core():
+    both = "'structural steel' (yields at 235 MPa) or 'bearing steel' (at 1.7 GPa)"
+    with pytest.raises(stoss.InvalidInput) as old:
+        _ = stoss.materials["steel"]
+    assert str(old.value).startswith(f"material: got 'steel', allowed {both}") and "\n" not in str(old.value)
+    with pytest.raises(stoss.InvalidInput, match="^material: got 'steal', allowed structural steel, glass, "):
+        _ = stoss.materials["steal"]
+    assert "steel" not in stoss.materials and stoss.materials.get("steel") is None
+    bodies = {"kind": "sphere", "radius": 1.0, "material": "steel"}
+    with pytest.raises(stoss.InvalidInput) as in_a_grid:
+        stoss.Grid(bodies=bodies, against=["wall"], speed=[1.0])
+    assert str(in_a_grid.value) == f"bodies: {old.value}"
+
+
 @pytest.mark.parametrize("call", [stoss.restitution, stoss.impact])
 def test_speed_of_a_material_is_in_si(call, steel):
     with pytest.raises(stoss.InvalidInput) as caught:

@@ -82,7 +82,7 @@ def test_16_coin(example):
 def test_17_ring(example):
     """The partials are those of a thin ring, the lower the better; what is told of them stands in the page."""
     its = example("17_ring")
-    steel = stoss.materials["steel"]
+    steel = stoss.materials["structural steel"]
     for thickness in (3, 4, 6, 9):
         ring = stoss.ModalBody.read(EXAMPLES / f"any_body/ring_{thickness}.json")
         middle, height = 0.030 - thickness / 2000, 0.010

@@ -87,7 +87,7 @@ def test_columns_are_in_the_order_of_the_core_with_its_units(tmp_path):
 
 
 def test_rods_have_their_own_units_at_every_instant(tmp_path):
-    steel = stoss.materials["steel"]
+    steel = stoss.materials["structural steel"]
     rod = stoss.Rod(length=2.0, area=1e-4, material=steel)
     hit = stoss.impact(rod, speed=1.0, cutoff=100)
     assert "max_force_si[N]" in header(hit, tmp_path / "impact.csv") and "contact time 2" in repr(hit)

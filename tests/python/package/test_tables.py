@@ -12,7 +12,7 @@ import stoss
 
 Q = stoss.quasistatic
 BALL = stoss.Sphere(poisson=0.3)
-STEEL = stoss.Sphere(radius=5e-3, material=stoss.materials["steel"])
+STEEL = stoss.Sphere(radius=5e-3, material=stoss.materials["structural steel"])
 
 
 @pytest.fixture(scope="module")

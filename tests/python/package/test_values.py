@@ -117,7 +117,7 @@ def test_restitution_is_that_of_the_command(command):
 
 @pytest.mark.parametrize("plane", ["stress", "strain"])
 def test_si_is_that_of_the_command(command, plane):
-    disk = stoss.Disk(radius=0.01, material=stoss.materials["steel"], loss_time=0, plane=plane)
+    disk = stoss.Disk(radius=0.01, material=stoss.materials["structural steel"], loss_time=0, plane=plane)
     names = ("speed", "contact_time_si", "max_force_si", "max_compression_si", "restitution", "poisson")
     records = command(f"restitution {STEEL} --plane {plane} --speed 5,50")["records"]
     for speed, record in zip((5, 50), records):

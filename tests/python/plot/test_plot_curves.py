@@ -127,7 +127,7 @@ def test_single_value():
 
 
 def test_metres_per_second():
-    steel = stoss.Disk(radius=0.01, material=stoss.materials["steel"])
+    steel = stoss.Disk(radius=0.01, material=stoss.materials["structural steel"])
     ax = stoss.restitution(steel, speed=[1.0, 10.0]).plot()
     np.testing.assert_allclose(drawn(ax)[0].lines[0].get_xdata(), [1.0, 10.0])
     assert ax.get_xlabel() == "speed v / (m/s)"

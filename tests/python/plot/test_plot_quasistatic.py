@@ -65,7 +65,7 @@ def test_band_is_the_error(estimate):
 
 
 def test_metres_per_second():
-    steel = stoss.Disk(radius=0.01, material=stoss.materials["steel"])
+    steel = stoss.Disk(radius=0.01, material=stoss.materials["structural steel"])
     for result in (quasistatic.slow_impact(steel, speed=[1.0, 10.0]),
                    quasistatic.rayleigh(steel, speed=[1.0, 10.0], cutoff=6)):  # fmt: skip
         ax = result.plot()

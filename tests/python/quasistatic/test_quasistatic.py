@@ -47,7 +47,7 @@ def test_driven_modes_are_those_of_the_command(command):
 
 @pytest.mark.parametrize("plane", ["stress", "strain"])
 def test_si_is_that_of_the_command(command, plane):
-    disk = stoss.Disk(radius=0.01, material=stoss.materials["steel"], plane=plane)
+    disk = stoss.Disk(radius=0.01, material=stoss.materials["structural steel"], plane=plane)
     names = ("poisson", "speed", "contact_time_si", "max_force_si", "max_compression_si", "speed_si")
     records = command(f"quasistatic {STEEL} --plane {plane} --speed 1e-9,5 --cutoff 9")["records"]
     same(quasistatic.slow_impact(disk, speed=[1e-9, 5]), records, names)
@@ -139,7 +139,7 @@ def test_soft_contact_tends_to_the_hard_one():
 
 
 def results():
-    steel = stoss.Disk(radius=0.01, material=stoss.materials["steel"])
+    steel = stoss.Disk(radius=0.01, material=stoss.materials["structural steel"])
     yield quasistatic.slow_impact(poisson=0.33, speed=0.01)
     yield quasistatic.slow_impact(steel, speed=[[1e-9, 5]])
     yield quasistatic.slow_impact(poisson=[[0.1], [0.2]], speed=[1e-9, 1e-3])

@@ -196,7 +196,7 @@ def test_without_a_yield_strength_nothing_is_said():
 
 
 def results():
-    steel = stoss.Sphere(radius=0.01, material=stoss.materials["steel"])
+    steel = stoss.Sphere(radius=0.01, material=stoss.materials["structural steel"])
     yield quasistatic.slow_impact(BALL, speed=0.01)
     yield quasistatic.slow_impact(steel, speed=[[1e-3, 5]])
     yield quasistatic.slow_impact(HARD, speed=[1e-3, 1e-2])

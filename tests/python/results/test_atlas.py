@@ -109,7 +109,7 @@ def test_many_values_are_those_of_a_few():
 
 
 def test_values_say_what_they_are_of():
-    steel = stoss.Sphere(radius=0.01, loss_time=0, material=stoss.materials["steel"])
+    steel = stoss.Sphere(radius=0.01, loss_time=0, material=stoss.materials["structural steel"])
     value = stoss.atlas(steel, against=stoss.HalfSpace(loss_time=0, material=steel.material), speed=5.0)
     assert value.body == steel and value.speed_si == pytest.approx(5.0) and value.against.poisson == 0.3
     assert value.to_dict()["speed_si"] == value.speed_si and not hasattr(stoss.atlas(poisson=0.3, speed=0.1), "speed_si")

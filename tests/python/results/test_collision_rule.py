@@ -15,7 +15,7 @@ import pytest
 import stoss
 
 BALL = stoss.Sphere(poisson=0.3)
-STEEL = stoss.Sphere(radius=5e-3, material=stoss.materials["steel"], loss_time=0)
+STEEL = stoss.Sphere(radius=5e-3, material=stoss.materials["structural steel"], loss_time=0)
 
 
 @pytest.fixture(scope="module")

@@ -85,7 +85,7 @@ def test_two_bodies_and_half_spaces():
 
 
 def test_si(tmp_path):
-    ball = stoss.Sphere(radius=0.01, material=stoss.materials["steel"], loss_time=0)
+    ball = stoss.Sphere(radius=0.01, material=stoss.materials["structural steel"], loss_time=0)
     si = stoss.restitution_distribution(ball, speed=1.0, temperature=0.1, samples=2)
     assert si.speed == pytest.approx(1.0 / ball.scales.speed)
     assert si.contact_time_si == pytest.approx(si.contact_time * ball.scales.time)

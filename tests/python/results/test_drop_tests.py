@@ -34,7 +34,7 @@ PAIRS = [
     ("bearing steel", "glass", (0.01, 0.1, 1.0)),
     ("glass", "glass", (0.01, 0.1, 1.0)),
     ("bearing steel", "bearing steel", (0.01, 0.1, 1.0)),
-    ("rubber", "steel", (0.1, 1.0, 5.0)),
+    ("rubber", "structural steel", (0.1, 1.0, 5.0)),
     ("ice", "ice", (0.01, 0.1, 1.0)),
 ]
 RADIUS, WORK, GRAVITY = 5e-3, 0.1, 9.81  # m, J/m², m/s²

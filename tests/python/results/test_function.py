@@ -84,7 +84,7 @@ def test_beyond_its_range_it_does_what_was_chosen():
         lawful(0.2)
 
 
-STEEL, GLASS = stoss.materials["steel"], stoss.materials["glass"]
+STEEL, GLASS = stoss.materials["structural steel"], stoss.materials["glass"]
 
 
 @pytest.mark.parametrize(

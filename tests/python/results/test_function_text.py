@@ -18,7 +18,7 @@ def disk():
 
 @pytest.fixture(scope="module")
 def steel():
-    ball = stoss.Sphere(radius=5e-3, material=stoss.materials["steel"])
+    ball = stoss.Sphere(radius=5e-3, material=stoss.materials["structural steel"])
     return stoss.restitution_function(ball, against="same", speed=(0.01, 0.5))
 
 

@@ -38,7 +38,7 @@ def test_a_table_can_be_pickled(disks):
 
 
 def test_two_materials_in_si():
-    steel = stoss.Sphere(radius=5e-3, material=stoss.materials["steel"], loss_time=0)
+    steel = stoss.Sphere(radius=5e-3, material=stoss.materials["structural steel"], loss_time=0)
     glass = stoss.Sphere(radius=5e-3, material=stoss.materials["glass"], loss_time=0)
     table = stoss.pair_table(steel, against=glass, speed=(10, 100), ratio=(0.9, 1.1), error=1e-2, beyond="clamp")
     assert not table.alike and "m/s" in repr(table)

@@ -34,7 +34,7 @@ bodies = {kind = "sphere", poisson = [0.1, 0.3]}
 speed = [0.1, 0.2]
 tolerance = 0.1
 against = [{{kind = "modal", file = "{RING}"}}]
-bodies = {{kind = "sphere", radius = [6e-3, 8e-3], material = "steel"}}
+bodies = {{kind = "sphere", radius = [6e-3, 8e-3], material = "structural steel"}}
 """,
 }
 

@@ -73,8 +73,8 @@ def test_toml_that_is_no_grid_is_refused_in_one_line(text, tmp_path):
 @pytest.mark.parametrize("value", ["nan", "inf", "-1", '"x"', "{}", "[[]]", "{a = 1}", "1979-05-27", "false", '["", 1]'])
 def test_any_wrong_value_in_toml_is_one_line(key, value, tmp_path):
     path = tmp_path / "grid.toml"
-    usual = {"speed": "0.1", "bodies": '{kind = "sphere", radius = 1, material = "steel"}'}
-    body = {"kind": '"sphere"', "radius": "1", "material": '"steel"', key: value}
+    usual = {"speed": "0.1", "bodies": '{kind = "sphere", radius = 1, material = "structural steel"}'}
+    body = {"kind": '"sphere"', "radius": "1", "material": '"structural steel"', key: value}
     changed = {key: value} if key in "bodies against speed tolerance absolute" else {
         "bodies": f"{{{', '.join(f'{name} = {each}' for name, each in body.items())}}}"
     }  # fmt: skip

@@ -8,7 +8,7 @@ import pytest
 import stoss
 
 BALLS = {"kind": "sphere", "poisson": [0.1, 0.3]}
-STEEL = stoss.materials["steel"]
+STEEL = stoss.materials["structural steel"]
 
 
 def grid(**changed):
@@ -92,7 +92,7 @@ def test_grid_of_toml(tmp_path, whole):
     assert one.speed.tolist() == [0.01, 0.03162277660168379, 0.1] and one.bodies == grid().bodies
     assert one == stoss.Grid.from_dict(json.loads(json.dumps(one.to_dict())))
     assert one != grid() and grid() == grid()
-    path.write_text('speed = 1.0\nbodies = {kind = "disk", radius = 0.01, material = "steel", plane = "strain"}\n')
+    path.write_text('speed = 1.0\nbodies = {kind = "disk", radius = 0.01, material = "structural steel", plane = "strain"}\n')
     (disk,) = stoss.Grid.from_toml(path).bodies
     assert disk == stoss.Disk(radius=0.01, material=STEEL, plane="strain")
 

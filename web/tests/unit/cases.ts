@@ -26,14 +26,14 @@ export const cases: readonly Inputs[] = [
   of(sphere, 0.01),
   of({ ...sphere, against: 'body', second: { ...unitBody, poisson: 0.4, radius: 2, loss_time: 0.1 } }, 0.01),
   of({ ...rod, against: 'body', second: { ...unitBody, length: 2.5, density: 3, area: 0.5 } }, 0.1),
-  of({ ...disk, si: true, plane: 'strain', first: made('steel', 0.01) }, 5),
+  of({ ...disk, si: true, plane: 'strain', first: made('structural steel', 0.01) }, 5),
   of({ ...disk, si: true, first: own, against: 'body', second: made('brass', 0.02) }, 3),
   of({ ...disk, si: true, first: made('PMMA', 0.03), plane: 'strain', against: 'half-space', second: own }, 1),
   of({ ...sphere, si: true, first: ball, against: 'half-space', second: made('glass', 1) }, 1),
   of({ ...sphere, si: true, first: own, against: 'same' }, 0.2),
-  of({ ...rod, si: true, first: made('aluminium', 0.5), against: 'body', second: made('steel', 0.3) }, 1),
+  of({ ...rod, si: true, first: made('aluminium', 0.5), against: 'body', second: made('structural steel', 0.3) }, 1),
   of({ ...sphere, against: 'plate', second: ratios({ poisson: 0.2, thickness: 2, young: 0.5 }) }, 0.1),
-  of({ ...disk, si: true, first: made('steel', 0.01), plane: 'strain', against: 'plate', second: own }, 1),
+  of({ ...disk, si: true, first: made('structural steel', 0.01), plane: 'strain', against: 'plate', second: own }, 1),
   of({ ...sphere, si: true, first: ball, against: 'plate', second: { ...made('glass', 1), thickness: 0.01 } }, 1),
 ];
 
