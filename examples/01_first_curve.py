@@ -5,7 +5,7 @@ Expect:  a table of ε ± error; first_curve.png, with 1 − ε² falling in wav
          and error bars narrower than the lines; first_curve.csv, the same numbers with all digits.
          Two seconds.
 
-    ε = v_after / v_before,    1 − ε² = energy left in vibrations / initial energy
+    ε = v_after / v_before,    1 − ε² = energy left in vibrations (here the only loss) / initial energy
 
 v is the speed of one disk against a wall, in units of the bar speed c = √(E/ρ). Two equal disks
 that each move at v towards each other are the same problem.

@@ -1,4 +1,4 @@
-"""What a drop test would show: a ball of 5 mm on a block, and where its energy goes.
+"""What a drop test would show: a ball of R = 5 mm on a block, and where its energy goes.
 
 Run:     python examples/08_drop_test.py [FOLDER]        (default: out/)
 Expect:  a table for five pairs of materials at three speeds each, drop_test.csv and drop_test.png.

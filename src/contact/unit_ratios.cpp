@@ -93,4 +93,13 @@ void require_partners(const Body& first, const Body& second) {
   }
 }
 
+void refuse_unequal(const Body& first, const Body& second, double share, const std::string& what) {
+  const double time = UnitRatios(second, first).time;
+  const std::string most = shown(std::floor(share * std::max(time, 1.0 / time)));
+  throw InvalidInput("against: got '" + second.name + "' for '" + first.name + "', allowed " + what +
+                     "a body whose R/c is at most " + most +
+                     " times that of the other (a larger one has more modes than are computed; an infinite one, a "
+                     "half-space or half-plane, is its limit)");
+}
+
 }  // namespace stoss

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "stoss/contact/contact.hpp"
 
@@ -46,5 +47,10 @@ struct UnitRatios {
 /// Checks that two bodies can meet. @throws InvalidInput for contours that do not go together, and for ratios of
 /// length, speed and mass beyond what is computed
 void require_partners(const Body& first, const Body& second);
+
+/// Refuses two bodies of which the larger or slower one has more modes than are computed.
+/// @param share of their ratio of R/c that is allowed, below 1
+/// @param what  is asked for: empty, or "with friction "
+[[noreturn]] void refuse_unequal(const Body& first, const Body& second, double share, const std::string& what);
 
 }  // namespace stoss

@@ -21,7 +21,8 @@ namespace {
 constexpr double least_cutoff = 1e-6;
 
 constexpr int level_count = 25;
-constexpr int fewest_levels = 10;  // for an error
+constexpr int fewest_levels = 10;       // for an error
+constexpr int fewest_whole_levels = 3;  // for two runs, two levels apart
 
 double cutoff_at(int level) { return 4.0 * std::numbers::sqrt2 * std::exp2(0.25 * level); }
 
@@ -96,7 +97,13 @@ Contact contact_of(const Pair& pair, double cutoff, double stretch, const Poll& 
       made(pair.second, *pair.probe.second, size(*pair.probe.second, pair.second_size), cutoff * time, poll));
 }
 
-/// Highest cutoff of both bodies, c/R of the first.
+/// Highest cutoff of both bodies as wholes, c/R of the first.
+double whole_cutoff(const Pair& pair) {
+  const Body &one = *pair.probe.first, &other = *pair.probe.second;
+  return std::min(one.highest_cutoff, other.highest_cutoff / UnitRatios(other, one).time);
+}
+
+/// Highest cutoff of both bodies or of their parts, c/R of the first.
 double highest_cutoff(const Pair& pair) {
   const Body &one = *pair.probe.first, &other = *pair.probe.second;
   if (is_unbounded(other)) return one.highest_cutoff / pair.first_size;  // depends on the duration: highest_level
@@ -127,9 +134,7 @@ RefinableContact::RefinableContact(BodyMaker first, BodyMaker second) : Refinabl
   const double most = highest_cutoff(pair) / ladder_->unit;
   while (ladder_->highest >= 0 && cutoff_at(ladder_->highest) > most) --ladder_->highest;
   if (ladder_->highest + 1 < fewest_levels) {
-    throw InvalidInput("against: got '" + pair.probe.second->name + "' for '" + pair.probe.first->name +
-                       "', allowed a body whose R/c is up to some 50 times that of the other (more modes than are "
-                       "computed)");
+    refuse_unequal(*pair.probe.first, *pair.probe.second, most / cutoff_at(fewest_levels - 1), "");
   }
 }
 
@@ -150,6 +155,18 @@ double known_cutoff(const Contact& contact, double half_width, Motion motion) {
 }  // namespace
 
 int RefinableContact::highest_level() const { return ladder_->highest; }
+
+int RefinableContact::highest_whole_level() const {
+  if (!ladder_->pair || part() == 1.0) return highest_level();
+  const double most = whole_cutoff(*ladder_->pair);
+  int level = highest_level();
+  while (level >= 0 && cutoff(level) > most) --level;
+  if (level + 1 < fewest_whole_levels) {
+    const Contact& probe = ladder_->pair->probe;
+    refuse_unequal(*probe.first, *probe.second, most / cutoff(fewest_whole_levels - 1), "at an angle ");
+  }
+  return level;
+}
 
 int RefinableContact::highest_level(double stretch) const {
   int level = ladder_->highest;

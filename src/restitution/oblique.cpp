@@ -8,7 +8,6 @@
 #include "check.hpp"
 #include "contact/along.hpp"
 #include "contact/touch.hpp"
-#include "contact/unit_ratios.hpp"
 #include "impact/oblique/frame.hpp"
 #include "restitution/lasting.hpp"
 #include "restitution/neglected_coupling.hpp"
@@ -27,13 +26,8 @@ constexpr int last_level_of_too_fine = 8;
 
 /// Highest level at which whole bodies are computed: the near side of a disk is much less accurate along its edge.
 int highest_level_of(const RefinableContact& contact, double stretch, const Poll& poll) {
-  const Contact& coarse = contact.at(contact.cutoff(0), stretch, poll);
-  if (coarse.unbounded) return std::min(last_level, contact.highest_level(room_to_last * stretch));
-  double most = coarse.first->highest_cutoff;
-  if (coarse.second != nullptr) most = std::min(most, coarse.second->highest_cutoff / units_of(coarse, 1).time);
-  int level = std::min(last_level, contact.highest_level());
-  while (level > 0 && contact.cutoff(level) > most) --level;
-  return level;
+  if (contact.at(0, poll).unbounded) return std::min(last_level, contact.highest_level(room_to_last * stretch));
+  return std::min(last_level, contact.highest_whole_level());
 }
 
 /// The levels of the runs of a plan: all, or those at which bodies are known of which only a point is.
@@ -91,6 +85,7 @@ double refine(const RefinableContact& contact, const ObliqueOptions& options, st
   double stretch = probe.unbounded ? contact.stretch(speed) : 1.0 / contact.part(), width = 0.0;
   std::vector<Obliquity> obliquities;
   for (const ObliqueRestitution* each : open) obliquities.push_back(each->before);
+  if (!probe.unbounded) (void)contact.highest_whole_level();  // which refuses bodies that are too unequal
   const Contact& coarse = contact.at(contact.cutoff(0), stretch, options.poll);
   const ObliquePlan plan = plan_of(coarse, speed, obliquities, options.tolerance, options.poll);
   const bool rough = touch(coarse).circle && std::any_of(obliquities.begin(), obliquities.end(),

@@ -82,7 +82,7 @@ def test_the_times_of_finite_elements_are_those_of_the_performance():
     assert f"take {min(disk):.0f} to {max(disk):.0f} times as long for disks" in WORDS
     assert f"{min(ball):.0f} to {max(ball):.0f} times for spheres" in WORDS
     of_all = [ratio for each in ratios.values() for ratio in each]
-    assert f"single shape {min(of_all):.0f} to {max(of_all):.0f} times as long as `stoss`" in page("README.md")[1]
+    assert f"one shape take {min(of_all):.0f} to {max(of_all):.0f} times as long for an error of 10⁻³" in page("README.md")[1]
 
 
 def test_the_procedure_of_the_model_takes_what_the_performance_says():

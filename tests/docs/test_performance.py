@@ -204,7 +204,7 @@ def test_coverage_of_fast_disks_that_others_quote():
     at = dict(zip(tolerances, [*shares.split(", "), last], strict=True))
     both = rf"for fast disks \(0.1 to 0.6 c\) (?:in )?{at['10⁻³']} % at the tolerance 10⁻³ and {at['10⁻⁴']} % at 10⁻⁴"
     others = {  # tests/docs/test_paper.py has the paper
-        "README.md": rf"At this tolerance [^.]* in {at['10⁻³']} % for fast disks \(0.1 to 0.6 c\)",
+        "README.md": rf"{at['10⁻³']} % for fast disks, 0.1 to 0.6 c",
         "docs/python.md": rf"at the default tolerance [^.]*, for fast disks \(0.1 to 0.6 c\) {at['10⁻³']} %",
         "include/stoss/restitution/restitution.hpp": both,
         "python/stoss/results/_restitution.py": both,
