@@ -42,7 +42,8 @@ class RefinableContact {
   /// ω_c = 4√2 · 2^(level/4) c/R of the first body, 362 at level 24; for two bodies over their time_scale.
   [[nodiscard]] double cutoff(int level) const;
 
-  /// Highest level at which both bodies are computed as wholes, without a near side (part), as impacts at an angle need.
+  /// Highest level at which both bodies are computed as wholes, without a near side (part), as impacts at an angle
+  /// need.
   /// @throws InvalidInput for bodies so unequal in size or wave speed that there are not even three such levels
   [[nodiscard]] int highest_whole_level() const;
 
