@@ -105,7 +105,7 @@ Impact compute(const ImpactArguments& arguments, const Encounter& encounter, con
   provenance.inputs["speed"] = speed;
   provenance.inputs["cutoff"] = arguments.cutoff;
   const Fields<Snapshot> fields(snapshot_quantities(), Units{.own = units_of(encounter).own});
-  Writer writer(Output(arguments.trajectory, Output::Use::rows), Format::csv, provenance, fields.columns());
+  Writer writer(Output(arguments.trajectory), Format::csv, provenance, fields.columns());
   catch_interrupts();
   Impact result;
   writer.finish_after([&] {

@@ -62,7 +62,9 @@ void Output::put(bool grows) {
 }
 
 void Output::end_row() {
-  if (use_ != Use::whole || !target_) put(true);
+  if (use_ != Use::whole || !target_) return put(true);
+  constexpr std::size_t most = 1 << 24;  // of what is kept in memory
+  if (pending_.size() > most) target_->prepare(std::exchange(pending_, {}));
 }
 
 void Output::close() {
@@ -76,8 +78,10 @@ bool same_output(const std::string& a, const std::string& b) {
   };
   const auto first = resolved(a), second = resolved(b);
   std::error_code ignored;  // what cannot be looked at cannot be opened either, which is reported then
-  if (fs::is_regular_file(first, ignored)) return fs::equivalent(first, second, ignored);
-  return fs::weakly_canonical(first, ignored) == fs::weakly_canonical(second, ignored);
+  if (fs::exists(first, ignored) && fs::exists(second, ignored)) return fs::equivalent(first, second, ignored);
+  const auto folder = [](const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); };
+  return first.filename() == second.filename() &&
+         (folder(first) == folder(second) || fs::equivalent(folder(first), folder(second), ignored));
 }
 
 }  // namespace stoss::cli

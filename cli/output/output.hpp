@@ -33,6 +33,8 @@ inline constexpr std::size_t longest_path = 240;
 /// What a name leads to, also where nothing is there yet.
 [[nodiscard]] std::filesystem::path behind_links(std::filesystem::path path);
 
+class Beside;
+
 /// A regular file that is to be written, locked against other processes for as long as the target lives.
 class Target {
  public:
@@ -46,10 +48,15 @@ class Target {
   /// Makes the file and locks it where there is none. It goes again with the target unless something is written.
   void make();
 
-  /// Puts a file with this text in its place as a whole, or leaves it as it was. @throws OutputError
+  /// Adds the text to a file beside it, which `replace` will put in its place. @throws OutputError
+  void prepare(const std::string& text);
+
+  /// Puts a file with what was prepared, and this text, in its place as a whole, or leaves it as it was.
+  /// @throws OutputError
   void replace(const std::string& text);
 
-  /// Cuts the file off after `size` bytes and adds the text, or nothing of it. @throws OutputError
+  /// Cuts the file off after `size` bytes and adds the text, or nothing of it. @throws OutputError also where another
+  /// process has replaced, removed or changed it: what would be lost is then in a new file beside it
   void extend(std::uintmax_t size, const std::string& text);
 
   /// Adds the text at the end of what was written, or nothing of it. @throws OutputError
@@ -58,6 +65,7 @@ class Target {
   /// Whether the file is there and has nothing to lose.
   [[nodiscard]] bool is_empty() const;
 
+  /// @throws OutputError as `extend`
   void close();
 
   /// Of the file as it is now; nullptr where there is none.
@@ -68,12 +76,16 @@ class Target {
     void operator()(std::FILE* file) const { (void)std::fclose(file); }
   };
 
-  void hold(int descriptor);
+  void hold(int descriptor, int trial = 0);
+
+  /// @param more what was to be added after the first `size` bytes
+  void require_unchanged(std::uintmax_t size, const std::string& more);
 
   std::string path_;            // as the user wrote it
   std::filesystem::path file_;  // behind links
   std::unique_ptr<std::FILE, Close> stream_;
-  std::uintmax_t size_ = 0;  // of what was written
+  std::unique_ptr<Beside> beside_;
+  std::uintmax_t size_ = 0;  // of the file
   bool made_ = false;
 };
 
@@ -82,7 +94,7 @@ class Target {
 class Output {
  public:
   enum class Use {
-    whole,   ///< the file is replaced when the output is closed
+    whole,   ///< the file is replaced when the output is closed; much is prepared beside it
     rows,    ///< it is replaced by the first row, and grows row by row
     resume,  ///< its content may be read; it is cut off by the first row after `keep`, and grows row by row
   };

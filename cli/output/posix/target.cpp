@@ -13,6 +13,7 @@
 #include <optional>
 #include <utility>
 
+#include "output/posix/beside.hpp"
 #include "process/text.hpp"
 
 namespace stoss::cli {
@@ -78,67 +79,14 @@ void require_file(const std::string& path, const struct stat& status) {
   }
 }
 
-/// Writes the text at this place, without a buffer of which a part could come later.
-bool put(int descriptor, std::string_view text, off_t place) {
-  while (!text.empty()) {
-    const ssize_t done = pwrite(descriptor, text.data(), text.size(), place);
-    if (done < 0 && errno == EINTR) continue;
-    if (done < 0) return false;
-    text.remove_prefix(static_cast<std::size_t>(done));
-    place += done;
-  }
-  return true;
+/// Whether the folder has been removed while something, as this process by its working directory, still holds it.
+bool is_removed(const fs::path& folder) {
+  struct stat status {};
+  return stat(folder.c_str(), &status) == 0 && status.st_nlink == 0;
 }
 
-fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
-
-/// A file beside another one, removed unless it takes its place.
-class Beside {
- public:
-  /// @throws OutputError that says `path`
-  Beside(std::string path, const fs::path& file)
-      : path_(std::move(path)),
-        name_(folder_of(file) / (".stoss-" + std::string(6, 'X'))) {  // short: `file` may be as long as names can
-    const int descriptor = mkstemp(name_.data());
-    if (descriptor < 0) cannot_write(path_, errno);
-    stream_ = fdopen(descriptor, "r+");
-    if (stream_ != nullptr) return;
-    const int reason = errno;
-    unlink(name_.c_str());
-    cannot_write(path_, reason);
-  }
-  Beside(const Beside&) = delete;
-  Beside& operator=(const Beside&) = delete;
-  ~Beside() {
-    if (stream_ == nullptr) return;
-    (void)std::fclose(stream_);
-    unlink(name_.c_str());
-  }
-
-  /// Until the disk has it.
-  void write(const std::string& text) const {
-    if (std::fwrite(text.data(), 1, text.size(), stream_) != text.size() || std::fflush(stream_) != 0 ||
-        fsync(fileno(stream_)) != 0) {
-      cannot_write(path_, errno);
-    }
-  }
-
-  /// Becomes the file, with the rights of the one that was open there, and locked. @return its stream
-  std::FILE* take_place_of(const fs::path& file, int old) {
-    struct stat status {};
-    if (fstat(old, &status) != 0 || fchmod(fileno(stream_), status.st_mode & 07777) != 0) cannot_write(path_, errno);
-    (void)lock(fileno(stream_));
-    if (std::rename(name_.c_str(), file.c_str()) != 0) cannot_write(path_, errno);
-    return std::exchange(stream_, nullptr);
-  }
-
- private:
-  std::string path_;
-  std::string name_;
-  std::FILE* stream_ = nullptr;
-};
-
 constexpr int flags = O_RDWR | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;
+constexpr int most_trials = 100;  // to open a file that others make and remove
 
 }  // namespace
 
@@ -149,10 +97,11 @@ Target::Target(const std::string& path) : path_(path), file_(behind_links(path))
   } else if (errno != ENOENT || access(folder_of(file_).c_str(), W_OK | X_OK) != 0) {
     cannot_write(path, errno);
   }
-  while (!stream_) {
+  if (is_removed(folder_of(file_))) cannot_write(path, "its folder has been removed");
+  for (int trial = 0; !stream_; ++trial) {
     const int descriptor = open(file_.c_str(), flags);
     if (descriptor < 0 && errno == ENOENT) return;
-    hold(descriptor);
+    hold(descriptor, trial);
   }
 }
 
@@ -160,7 +109,7 @@ Target::~Target() {
   if (stream_ && made_) unlink(file_.c_str());
 }
 
-void Target::hold(int descriptor) {
+void Target::hold(int descriptor, int trial) {
   if (descriptor < 0) cannot_write(path_, errno);
   stream_.reset(fdopen(descriptor, "r+"));
   if (!stream_) cannot_write(path_, errno);
@@ -168,26 +117,61 @@ void Target::hold(int descriptor) {
     made_ = false;
     cannot_write(path_, *holder + " is writing it");
   }
-  if (!leads_to(file_, descriptor)) stream_.reset();
+  struct stat status {};
+  if (fstat(descriptor, &status) == 0) size_ = static_cast<std::uintmax_t>(status.st_size);
+  if (leads_to(file_, descriptor)) return;
+  stream_.reset();
+  if (trial >= most_trials) cannot_write(path_, "another process removes it again and again");
 }
 
 void Target::make() {
-  while (!stream_) {
-    int descriptor = open(file_.c_str(), flags | O_CREAT | O_EXCL, 0666);
+  for (int trial = 0; !stream_; ++trial) {
+    int descriptor = open(file_.c_str(), flags | O_CREAT | O_EXCL, 0666);  // ENOENT: the folder is gone
     made_ = descriptor >= 0;
-    if (!made_ && errno == EEXIST) descriptor = open(file_.c_str(), flags);
-    if (descriptor < 0 && errno == ENOENT && access(folder_of(file_).c_str(), X_OK) == 0) continue;
-    hold(descriptor);
+    if (!made_ && errno == EEXIST) {
+      descriptor = open(file_.c_str(), flags);
+      if (descriptor < 0 && errno == ENOENT && trial < most_trials) continue;  // removed in between
+    }
+    hold(descriptor, trial);
   }
 }
 
+void Target::prepare(const std::string& text) {
+  if (!beside_) beside_ = std::make_unique<Beside>(path_, file_);
+  beside_->write(text);
+}
+
 void Target::replace(const std::string& text) {
-  Beside beside(path_, file_);
-  beside.write(text);
+  prepare(text);
+  beside_->finish();
   make();
-  stream_.reset(beside.take_place_of(file_, fileno(stream_.get())));
-  size_ = text.size();
+  (void)lock(fileno(beside_->stream()));
+  stream_.reset(beside_->take_place_of(file_, fileno(stream_.get())));
+  size_ = beside_->size();
+  beside_.reset();
   made_ = false;
+}
+
+void Target::require_unchanged(std::uintmax_t size, const std::string& more) {
+  const int descriptor = fileno(stream());
+  struct stat status {};
+  if (fstat(descriptor, &status) != 0) cannot_write(path_, errno);
+  if (!leads_to(file_, descriptor)) {
+    made_ = false;
+    std::string why = "another process has removed or replaced it";
+    const std::string all = content(descriptor).substr(0, static_cast<std::size_t>(size)) + more;
+    if (!all.empty()) {
+      const auto name = keep(path_, all);
+      why += name ? fmt::format(" (what was in it, and is new, is in '{}')", shortened(*name, longest_path))
+                  : " (what was in it is lost: no file can be written beside it)";
+    }
+    cannot_write(path_, why);
+  }
+  if (const auto now = static_cast<std::uintmax_t>(status.st_size); now != size_) {
+    made_ = false;
+    cannot_write(path_, fmt::format("another process has changed it, from {} to {} bytes (it is left as it is now)",
+                                    size_, now));
+  }
 }
 
 bool Target::is_empty() const {
@@ -196,6 +180,7 @@ bool Target::is_empty() const {
 }
 
 void Target::extend(std::uintmax_t size, const std::string& text) {
+  require_unchanged(size, text);
   const int descriptor = fileno(stream());
   const auto kept = static_cast<off_t>(size);
   if (ftruncate(descriptor, kept) != 0) cannot_write(path_, errno);
@@ -209,6 +194,7 @@ void Target::extend(std::uintmax_t size, const std::string& text) {
 }
 
 void Target::close() {
+  require_unchanged(size_, "");
   if (std::fclose(stream_.release()) != 0) cannot_write(path_, errno);
 }
 

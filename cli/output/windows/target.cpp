@@ -42,6 +42,8 @@ bool put(int descriptor, std::string_view text) {
   return true;
 }
 
+}  // namespace
+
 /// A file beside another one, removed unless it takes its place.
 class Beside {
  public:
@@ -55,14 +57,17 @@ class Beside {
   Beside& operator=(const Beside&) = delete;
   ~Beside() { (void)DeleteFileW(name_.c_str()); }
 
-  /// Until the disk has it.
-  void write(const std::string& text) const {
-    const int descriptor = open_alone(name_, 0);
+  /// Adds the text at its end, until the disk has it.
+  void write(const std::string& text) {
+    const int descriptor = open_alone(name_, _O_APPEND);
     if (descriptor < 0) cannot_write(path_, errno);
     const bool written = put(descriptor, text) && _commit(descriptor) == 0;
     const int reason = errno;
     if (_close(descriptor) != 0 || !written) cannot_write(path_, written ? errno : reason);
+    size_ += text.size();
   }
+
+  [[nodiscard]] std::uintmax_t size() const { return size_; }
 
   [[nodiscard]] bool take_place_of(const fs::path& file) const {
     return MoveFileExW(name_.c_str(), file.c_str(), MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH) != 0;
@@ -71,9 +76,8 @@ class Beside {
  private:
   std::string path_;
   fs::path name_;
+  std::uintmax_t size_ = 0;
 };
-
-}  // namespace
 
 Target::Target(const std::string& path) : path_(path), file_(behind_links(path)) {
   std::error_code none;
@@ -93,7 +97,7 @@ Target::~Target() {
   (void)DeleteFileW(file_.c_str());
 }
 
-void Target::hold(int descriptor) {
+void Target::hold(int descriptor, int /*trial*/) {
   if (descriptor < 0 && _doserrno == ERROR_SHARING_VIOLATION) {
     cannot_write(path_, "another process is writing it");
   }
@@ -111,16 +115,21 @@ void Target::make() {
   }
 }
 
+void Target::prepare(const std::string& text) {
+  if (!beside_) beside_ = std::make_unique<Beside>(path_, file_);
+  beside_->write(text);
+}
+
 void Target::replace(const std::string& text) {
-  const Beside beside(path_, file_);
-  beside.write(text);
+  prepare(text);
   make();
   stream_.reset();  // what is open cannot be replaced: another process may come between
-  const bool replaced = beside.take_place_of(file_);
+  const bool replaced = beside_->take_place_of(file_);
   const DWORD reason = GetLastError();
   hold(open_alone(file_, 0));
   if (!replaced) cannot_write(path_, reason == ERROR_DISK_FULL ? ENOSPC : EACCES);
-  size_ = text.size();
+  size_ = beside_->size();
+  beside_.reset();
   made_ = false;
 }
 
@@ -139,6 +148,9 @@ void Target::extend(std::uintmax_t size, const std::string& text) {
   size_ = size + text.size();
   made_ = false;
 }
+
+// While the file is open here, the system lets no other process remove, replace or write it.
+void Target::require_unchanged(std::uintmax_t /*size*/, const std::string& /*more*/) {}
 
 void Target::close() {
   if (std::fclose(stream_.release()) != 0) cannot_write(path_, errno);
