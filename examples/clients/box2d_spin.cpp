@@ -53,7 +53,7 @@ class Rule : public b2ContactListener {
     b2Fixture &first = *contact->GetFixtureA(), &second = *contact->GetFixtureB();
     stoss_rule_body_2d a = body_of(first, manifold.points[0]), b = body_of(second, manifold.points[0]);
     const double speed = (a.velocity[0] - b.velocity[0]) * normal[0] + (a.velocity[1] - b.velocity[1]) * normal[1];
-    if (speed < STOSS_RULE_SLOWEST || stoss_rule_collide_2d(&a, &b, normal, contact->GetFriction()) == 0) return;
+    if (speed < STOSS_RULE_SLOWEST || stoss_rule_collide_2d(&a, &b, normal, contact->GetFriction()) <= 0) return;
     set(*first.GetBody(), a);
     set(*second.GetBody(), b);
   }

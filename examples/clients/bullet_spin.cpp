@@ -57,7 +57,7 @@ bool point_added(btManifoldPoint& point, const btCollisionObjectWrapper* first, 
   stoss_rule_body_3d b = body_of(body_in(second), point.getPositionWorldOnB());
   double speed = 0.0;
   for (int i = 0; i < 3; ++i) speed += (a.velocity[i] - b.velocity[i]) * normal[i];
-  if (speed < STOSS_RULE_SLOWEST || stoss_rule_collide_3d(&a, &b, normal, point.m_combinedFriction) == 0) return false;
+  if (speed < STOSS_RULE_SLOWEST || stoss_rule_collide_3d(&a, &b, normal, point.m_combinedFriction) <= 0) return false;
   set(body_in(first), a);
   set(body_in(second), b);
   return false;

@@ -53,7 +53,7 @@ static cpBool before_solve(cpArbiter* arbiter, cpSpace* space, cpDataPointer dat
   a = body_of(first, shape_a, point);
   b = body_of(second, shape_b, point);
   if (cpvdot(cpv(a.velocity[0] - b.velocity[0], a.velocity[1] - b.velocity[1]), n) < STOSS_RULE_SLOWEST) return cpTrue;
-  if (stoss_rule_collide_2d(&a, &b, normal, cpArbiterGetFriction(arbiter))) {
+  if (stoss_rule_collide_2d(&a, &b, normal, cpArbiterGetFriction(arbiter)) > 0) {
     set(first, &a);
     set(second, &b);
   }

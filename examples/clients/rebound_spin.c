@@ -47,7 +47,7 @@ static enum REB_COLLISION_RESOLVE_OUTCOME collision_resolve(struct reb_simulatio
   stoss_rule_body_3d a = body_of(p, spin[c.p1]), b = body_of(q, spin[c.p2]);
   if (normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2] > reach * reach)
     return REB_COLLISION_RESOLVE_OUTCOME_REMOVE_NONE;
-  if (stoss_rule_collide_3d(&a, &b, normal, friction)) {
+  if (stoss_rule_collide_3d(&a, &b, normal, friction) > 0) {
     set(p, spin[c.p1], &a);
     set(q, spin[c.p2], &b);
   }

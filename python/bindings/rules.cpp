@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 #include <tuple>
 
 #include "stoss/encounter/laws.hpp"
 #include "stoss/encounter/moving.hpp"
+#include "stoss/errors.hpp"
 #include "stoss/table/adaptive_rule.hpp"
 #include "stoss/table/c_source.hpp"
 #include "stoss/table/collide.hpp"
@@ -84,7 +86,12 @@ void collide_all(const RuleTable& rule, const MovingPair& pair, std::array<Doubl
     auto first = moving<dimension>(own.first, v, s), second = moving<dimension>(own.second, w, t);
     std::array<double, dimension> n{};
     std::copy_n(normal.data() + dimension * row, dimension, n.begin());
-    if (!collide(rule, first, second, n, friction.data()[i])) continue;
+    try {
+      if (!collide(rule, first, second, n, friction.data()[i])) continue;
+    } catch (const InvalidInput& error) {
+      if (friction.size() == 1) throw;
+      throw InvalidInput(std::string(error.what()) + " (collision " + std::to_string(i) + ", counted from 0)");
+    }
     std::copy(first.velocity.begin(), first.velocity.end(), v);
     std::copy(second.velocity.begin(), second.velocity.end(), w);
     std::copy(first.spin.begin(), first.spin.end(), s);

@@ -111,13 +111,15 @@ def test_kill_leaves_whole_rows(stoss, tmp_path):
 
 
 def test_interrupt_of_a_trajectory(stoss, tmp_path):
+    """Its file appears at the end, with what rows there are; so many rows are kept beside it before."""
     path = tmp_path / "t.csv"
-    arguments = f"impact --poisson 0.33 --speed 0.1 --step 1e-4 --cutoff 50 --trajectory {path}"
+    arguments = f"impact --poisson 0.33 --speed 0.1 --step 5e-6 --nodes 16 --cutoff 2 --trajectory {path}"
     command = stoss.start(arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    wait_until_caught(command, signal.SIGINT)
-    time.sleep(1.0)  # the file appears at the end, with what rows there are
+    while not os.listdir(tmp_path):
+        assert command.poll() is None
+        time.sleep(0.05)
     command.send_signal(signal.SIGINT)
-    assert command.wait(timeout=60) == 130
+    assert command.wait(timeout=60) == 130 and os.listdir(tmp_path) == ["t.csv"]
     assert path.read_text().endswith("missing\n") and rows(path.read_text())
 
 

@@ -2,9 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
+#include <string>
 
+#include "stoss/errors.hpp"
 #include "stoss/table/collide.hpp"
 #include "support/rules.hpp"
 
@@ -146,7 +147,6 @@ TEST_P(Collisions, DoWhatTheRuleSays) {
 
 TEST_P(Collisions, OfWhatDoesNotMeetChangeNothing) {
   const RuleTable rule(test::some_rule());
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto unchanged = [&](MovingBody<3> a, MovingBody<3> b, const Vector& n) {
     const MovingBody<3> a0 = a, b0 = b;
     EXPECT_FALSE(meet(GetParam(), rule, a, b, n, 0.3));
@@ -158,12 +158,71 @@ TEST_P(Collisions, OfWhatDoesNotMeetChangeNothing) {
   const MovingBody<3> a{1.0, 2.5, 1.0, {0.1, 0.02, 0.0}, {0.0, 0.0, 0.3}}, wall{0.0, 0.0, 0.0, {}, {}};
   unchanged(a, wall, {-1.0, 0.0, 0.0});
   unchanged(a, a, {1.0, 0.0, 0.0});
-  unchanged(a, wall, {0.0, 0.0, 0.0});
-  unchanged(a, wall, {nan, 0.0, 0.0});
   unchanged(MovingBody<3>{0.0, 0.0, 1.0, {0.1, 0.0, 0.0}, {}}, wall, {1.0, 0.0, 0.0});
-  MovingBody<3> lost = a;
-  lost.velocity[0] = nan;
-  unchanged(lost, wall, {1.0, 0.0, 0.0});
+}
+
+TEST_P(Collisions, AreThoseOfANormalOfAnyLength) {
+  const RuleTable rule(test::some_rule(), Beyond::clamp);
+  const MovingBody<3> a{1.0, 2.5, 1.0, {0.1, 0.02, 0.0}, {0.0, 0.0, 0.3}}, wall{0.0, 0.0, 0.0, {}, {}};
+  const auto after = [&](double length) {
+    MovingBody<3> one = a, other = wall;
+    EXPECT_TRUE(meet(GetParam(), rule, one, other, {0.6 * length, 0.8 * length, 0.0}, 0.3)) << length;
+    return one;
+  };
+  const MovingBody<3> expected = after(1.0);
+  for (const double length : {1e-320, 1e-310, 1e-300, 1e-200, 1e-30, 1e200, 1.7e308}) {
+    const MovingBody<3> got = after(length);
+    const double rounding = length < 1e-307 ? 1e-3 : 1e-15;  // of the components that are given
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(got.velocity[k], expected.velocity[k], rounding) << length;
+      EXPECT_NEAR(got.spin[k], expected.spin[k], rounding) << length;
+    }
+  }
+}
+
+TEST_P(Collisions, RefuseWhatIsNoMotion) {
+  const MovingBody<3> a{1.0, 2.5, 1.0, {0.1, 0.02, 0.0}, {0.0, 0.0, 0.3}}, wall{0.0, 0.0, 0.0, {}, {}};
+  const Vector n{1.0, 0.0, 0.0};
+  const auto refused = [&](const std::string& name, MovingBody<3> one, MovingBody<3> other, const Vector& normal,
+                           double friction = 0.3) {
+    for (const RuleTable& rule : {RuleTable(test::some_rule()), RuleTable(test::some_rule(), Beyond::clamp)}) {
+      const MovingBody<3> before = other;
+      try {
+        meet(GetParam(), rule, one, other, normal, friction);
+        ADD_FAILURE() << name;
+      } catch (const InvalidInput& error) {
+        EXPECT_EQ(std::string(error.what()).find(name + ": got "), 0U) << error.what();
+      }
+      EXPECT_EQ(one.velocity[1], 0.02);
+      EXPECT_EQ(other.spin, before.spin);
+    }
+  };
+  refused("normal", a, wall, {0.0, 0.0, 0.0});
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    refused("normal", a, wall, {bad, 0.0, 0.0});
+    refused("normal", a, wall, {1.0, bad, 0.0});
+    refused("friction", a, wall, n, bad);
+    const auto broken = [&](const std::string& name, double MovingBody<3>::*number) {
+      MovingBody<3> one = a, other = wall;
+      one.*number = other.*number = bad;
+      refused(name, one, wall, n);
+      refused(name, a, other, n);
+    };
+    broken("inverse_mass", &MovingBody<3>::inverse_mass);
+    broken("inverse_inertia", &MovingBody<3>::inverse_inertia);
+    broken("radius", &MovingBody<3>::radius);
+    MovingBody<3> one = a;
+    one.velocity[0] = bad;
+    refused("velocity", one, wall, n);
+    one = a;
+    one.spin[2] = bad;
+    refused("spin", one, wall, n);
+    refused("spin", one, wall, {-1.0, 0.0, 0.0});  // also where they do not approach
+  }
+  MovingBody<3> one = a;
+  one.radius = -1.0;
+  refused("radius", one, wall, n);
+  refused("friction", a, wall, n, -0.1);
 }
 
 TEST_P(Collisions, HeadOnDoNotTurn) {

@@ -49,7 +49,8 @@ struct TableLabel {
 ///   static double stoss_rule_restitution(double speed, double sliding, double friction, double ratio)
 ///   static double stoss_rule_sliding(…), stoss_rule_restitution_error(…), stoss_rule_sliding_error(…)
 ///   static int stoss_rule_collide_2d(stoss_rule_body_2d *a, stoss_rule_body_2d *b, const double *normal,
-///                                    double friction), and stoss_rule_collide_3d
+///                                    double friction), and stoss_rule_collide_3d: 1, 0 if they do not approach,
+///                                    −1 for what stoss::collide refuses; in both cases nothing changes
 ///   STOSS_RULE_SLOWEST, STOSS_RULE_FASTEST, of a mixture STOSS_RULE_SMALLEST and STOSS_RULE_GREATEST, and of a table
 ///   for one friction STOSS_RULE_FRICTION
 ///

@@ -12,7 +12,7 @@ template <std::size_t dimension>
 struct MovingBody {
   double inverse_mass = 1.0;     ///< 1/m; 0 of what does not move, as a wall
   double inverse_inertia = 0.0;  ///< 1/I about the centre, 2.5/(m R²) of a sphere, 2/(m R²) of a disk; 0: never turns
-  double radius = 1.0;           ///< R
+  double radius = 1.0;           ///< R, 0 or more
   std::array<double, dimension> velocity{};
   std::array<double, dimension == 3 ? 3 : 1> spin{};  ///< in a plane, positive from x to y
 };
@@ -29,9 +29,12 @@ struct MovingBody {
 /// impulse divides s′ between velocity and spin, is that of these arms.
 ///
 /// Velocities are in the unit of the table, and spins times radii. Bodies that move apart, or do not move, keep their
-/// motion, also where the normal has no direction. Where the table says nothing velocities and spins become NaN.
-/// @param normal from the first body to the second, of any length
+/// motion. Beyond the range of a table without values there (Beyond::error) velocities and spins become NaN.
+/// @param normal from the first body to the second, of any length but 0
 /// @return whether they approached
+/// @throws InvalidInput for a normal without a direction, a number that is not finite, a negative mass, moment of
+///         inertia or radius and, if they approach, a friction or ratio of radii that RuleTable refuses; nothing
+///         changes
 bool collide(const RuleTable& rule, MovingBody<2>& first, MovingBody<2>& second, const std::array<double, 2>& normal,
              double friction);
 bool collide(const RuleTable& rule, MovingBody<3>& first, MovingBody<3>& second, const std::array<double, 3>& normal,

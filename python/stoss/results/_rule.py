@@ -108,12 +108,14 @@ class CollisionRule(SpeedInSi):
 
         In space velocities and spins are arrays of shape (..., 3), in a plane velocities of
         (..., 2) and spins, from x to y, of (...). Bodies that do not approach keep their motion.
-        Momentum and angular momentum are kept to rounding, and energy is never gained.
+        Momentum and angular momentum are kept to rounding, and energy is never gained. Beyond the
+        range of a table without values there, velocities and spins are NaN. Raises InvalidInput for
+        a normal of length 0 and for numbers that are not finite.
 
         Parameters:
             velocity, second_velocity: c, with a material m/s.
             spin, second_spin: c/R of the first, with a material rad/s.
-            normal: From the first to the second, of any length.
+            normal: From the first to the second, of any length but 0.
             friction: May be left out where it is known.
             radius, second_radius: Of a mixture, in R of the first, with a material in m.
         """

@@ -113,28 +113,61 @@ typedef struct {
   double velocity[3], spin[3];
 } @name@_body_3d;
 
-/* The impulse of friction against sliding s, over s, and in *normal that along the normal. */
-@NAME@_FUNCTION double @name@_impulse(double speed, double sliding, double friction, double ratio, double mobility,
-                                      double turning, double *normal)
+/* The normal at length 1, from one of any length; 0 if it has no direction. */
+@NAME@_FUNCTION int @name@_direction(const double *normal, int count, double *n)
+{
+  double greatest = 0.0, square = 0.0;
+  int i;
+  for (i = 0; i < count; ++i) {
+    if (!(fabs(normal[i]) < HUGE_VAL)) return 0;
+    if (fabs(normal[i]) > greatest) greatest = fabs(normal[i]);
+  }
+  if (!(greatest > 0.0)) return 0;
+  for (i = 0; i < count; ++i) n[i] = normal[i] / greatest;
+  for (i = 0; i < count; ++i) square += n[i] * n[i];
+  for (i = 0; i < count; ++i) n[i] /= sqrt(square);
+  return 1;
+}
+
+/* Whether the numbers of a body are finite, and mass, moment of inertia and radius not negative. */
+@NAME@_FUNCTION int @name@_is_motion(double inverse_mass, double inverse_inertia, double radius, const double *velocity,
+                                     const double *spin, int count, int turns)
+{
+  double nothing = 0.0 * inverse_mass + 0.0 * inverse_inertia + 0.0 * radius;
+  int i;
+  for (i = 0; i < count; ++i) nothing += 0.0 * velocity[i];
+  for (i = 0; i < turns; ++i) nothing += 0.0 * spin[i];
+  return inverse_mass >= 0.0 && inverse_inertia >= 0.0 && radius >= 0.0 && nothing >= 0.0;
+}
+
+/* In *normal the impulse along the normal, in *along that of friction against sliding s, over s; 0 if refused. */
+@NAME@_FUNCTION int @name@_impulse(double speed, double sliding, double friction, double ratio, double mobility,
+                                   double turning, double *normal, double *along)
 {
   double found[4];
   @name@_at(speed, sliding, friction, ratio, found);
   *normal = (1.0 + found[0]) * speed / mobility;
-  return fabs(sliding) > 0.0 ? (sliding - found[2]) / ((mobility + turning) * sliding) : 0.0 * found[2];
+  *along = fabs(sliding) > 0.0 ? (sliding - found[2]) / ((mobility + turning) * sliding) : 0.0 * found[2];
+  return found[1] >= 0.0;
 }
 
 @NAME@_FUNCTION int @name@_collide_2d(@name@_body_2d *a, @name@_body_2d *b, const double *normal, double friction)
 {
-  const double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1]);
-  const double n = normal[0] / length, m = normal[1] / length;
   const double x = a->velocity[0] - b->velocity[0], y = a->velocity[1] - b->velocity[1];
-  const double speed = x * n + y * m, mobility = a->inverse_mass + b->inverse_mass;
+  const double mobility = a->inverse_mass + b->inverse_mass;
   const double arm_a = a->radius * a->inverse_inertia, arm_b = b->radius * b->inverse_inertia;
-  const double sliding = y * n - x * m + a->radius * a->spin + b->radius * b->spin;
-  double push, drag;
+  double way[2], n, m, speed, sliding, push, drag;
+  if (!@name@_direction(normal, 2, way) ||
+      !@name@_is_motion(a->inverse_mass, a->inverse_inertia, a->radius, a->velocity, &a->spin, 2, 1) ||
+      !@name@_is_motion(b->inverse_mass, b->inverse_inertia, b->radius, b->velocity, &b->spin, 2, 1)) return -1;
+  n = way[0];
+  m = way[1];
+  speed = x * n + y * m;
+  sliding = y * n - x * m + a->radius * a->spin + b->radius * b->spin;
   if (!(speed > 0.0) || !(mobility > 0.0)) return 0;
-  drag = sliding * @name@_impulse(speed, sliding, friction, b->radius / a->radius, mobility,
-                                  a->radius * arm_a + b->radius * arm_b, &push);
+  if (!@name@_impulse(speed, sliding, friction, b->radius / a->radius, mobility, a->radius * arm_a + b->radius * arm_b,
+                      &push, &drag)) return -1;
+  drag *= sliding;
   a->velocity[0] -= a->inverse_mass * (push * n - drag * m);
   a->velocity[1] -= a->inverse_mass * (push * m + drag * n);
   b->velocity[0] += b->inverse_mass * (push * n - drag * m);
@@ -146,19 +179,25 @@ typedef struct {
 
 @NAME@_FUNCTION int @name@_collide_3d(@name@_body_3d *a, @name@_body_3d *b, const double *normal, double friction)
 {
-  const double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-  const double n = normal[0] / length, m = normal[1] / length, l = normal[2] / length;
   const double x = a->velocity[0] - b->velocity[0], y = a->velocity[1] - b->velocity[1];
-  const double z = a->velocity[2] - b->velocity[2], speed = x * n + y * m + z * l;
+  const double z = a->velocity[2] - b->velocity[2];
   const double p = a->radius * a->spin[0] + b->radius * b->spin[0], q = a->radius * a->spin[1] + b->radius * b->spin[1];
   const double r = a->radius * a->spin[2] + b->radius * b->spin[2], mobility = a->inverse_mass + b->inverse_mass;
   const double arm_a = a->radius * a->inverse_inertia, arm_b = b->radius * b->inverse_inertia;
-  const double u = x - speed * n + (q * l - r * m), v = y - speed * m + (r * n - p * l);
-  const double w = z - speed * l + (p * m - q * n);
-  double push, drag, e, f, g;
+  double way[3], n, m, l, speed, u, v, w, push, drag, e, f, g;
+  if (!@name@_direction(normal, 3, way) ||
+      !@name@_is_motion(a->inverse_mass, a->inverse_inertia, a->radius, a->velocity, a->spin, 3, 3) ||
+      !@name@_is_motion(b->inverse_mass, b->inverse_inertia, b->radius, b->velocity, b->spin, 3, 3)) return -1;
+  n = way[0];
+  m = way[1];
+  l = way[2];
+  speed = x * n + y * m + z * l;
+  u = x - speed * n + (q * l - r * m);
+  v = y - speed * m + (r * n - p * l);
+  w = z - speed * l + (p * m - q * n);
   if (!(speed > 0.0) || !(mobility > 0.0)) return 0;
-  drag = @name@_impulse(speed, sqrt(u * u + v * v + w * w), friction, b->radius / a->radius, mobility,
-                        a->radius * arm_a + b->radius * arm_b, &push);
+  if (!@name@_impulse(speed, sqrt(u * u + v * v + w * w), friction, b->radius / a->radius, mobility,
+                      a->radius * arm_a + b->radius * arm_b, &push, &drag)) return -1;
   e = push * n + drag * u;
   f = push * m + drag * v;
   g = push * l + drag * w;

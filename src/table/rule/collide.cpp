@@ -1,6 +1,12 @@
 #include "stoss/table/collide.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <string>
+
+#include "check.hpp"
+#include "stoss/errors.hpp"
 
 namespace stoss {
 namespace {
@@ -29,12 +35,42 @@ void set(MovingBody<2>& body, const MovingBody<3>& after) {
   body.spin = {after.spin[2]};
 }
 
+/// The normal at length 1, from one of any length: brought near 1 first, so that its square is a number.
+Vector direction(const Vector& normal) {
+  double greatest = 0.0;
+  for (const double each : normal) greatest = std::max(greatest, std::isfinite(each) ? std::abs(each) : HUGE_VAL);
+  if (!(greatest > 0.0) || !std::isfinite(greatest)) {
+    throw InvalidInput("normal: got (" + shown(normal[0]) + ", " + shown(normal[1]) + ", " + shown(normal[2]) +
+                       "), allowed finite numbers that are not all 0");
+  }
+  Vector n{normal[0] / greatest, normal[1] / greatest, normal[2] / greatest};
+  const double length = std::sqrt(dot(n, n));
+  for (double& each : n) each /= length;
+  return n;
+}
+
+void require_motion(const MovingBody<3>& body) {
+  const auto require = [](const char* name, std::initializer_list<double> values, bool positive) {
+    for (const double value : values) {
+      if (std::isfinite(value) && (!positive || value >= 0.0)) continue;
+      throw InvalidInput(std::string(name) + ": got " + shown(value) + ", allowed " +
+                         (positive ? "a finite number, 0 or more" : "finite numbers"));
+    }
+  };
+  require("inverse_mass", {body.inverse_mass}, true);
+  require("inverse_inertia", {body.inverse_inertia}, true);
+  require("radius", {body.radius}, true);
+  require("velocity", {body.velocity[0], body.velocity[1], body.velocity[2]}, false);
+  require("spin", {body.spin[0], body.spin[1], body.spin[2]}, false);
+}
+
 }  // namespace
 
 bool collide(const RuleTable& rule, MovingBody<3>& first, MovingBody<3>& second, const Vector& normal,
              double friction) {
-  const double length = std::sqrt(dot(normal, normal));
-  const Vector n{normal[0] / length, normal[1] / length, normal[2] / length};
+  const Vector n = direction(normal);
+  require_motion(first);
+  require_motion(second);
   const Vector relative = sum(first.velocity, -1.0, second.velocity);
   const double speed = dot(relative, n), mobility = first.inverse_mass + second.inverse_mass;
   if (!(speed > 0.0) || !(mobility > 0.0)) return false;
@@ -42,8 +78,10 @@ bool collide(const RuleTable& rule, MovingBody<3>& first, MovingBody<3>& second,
   for (std::size_t i = 0; i < 3; ++i) turning[i] = first.radius * first.spin[i] + second.radius * second.spin[i];
   const Vector along = sum(sum(relative, -speed, n), 1.0, cross(turning, n));
   const double sliding = std::sqrt(dot(along, along));
-  const Rule after = rule.unchecked(speed, sliding, friction, second.radius / first.radius);
-  Vector drag{};  // along the surface
+  const double ratio = second.radius / first.radius;
+  const Rule after = rule.unchecked(speed, sliding, friction, ratio);
+  if (std::isnan(after.sliding_error)) (void)rule(speed, sliding, friction, ratio);  // says what is refused
+  Vector drag{};                                                                     // along the surface
   if (sliding != 0.0) {
     const double turning_mobility =
         first.radius * first.radius * first.inverse_inertia + second.radius * second.radius * second.inverse_inertia;

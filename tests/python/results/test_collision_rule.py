@@ -214,6 +214,21 @@ def test_says_what_cannot_be(rule):
     refuse("friction: got None", lambda: rule(0.002, 0.001))
     refuse("friction", lambda: rule(0.002, 0.001, -1))
     refuse("velocity", lambda: rule.collide([1.0], 0, [1.0], friction=0.3))
+    v, w, n = [0.005, 0.001, 0], [0, 0, 0.1], [1, 0, 0]
+    for bad in (np.nan, np.inf, -np.inf):
+        refuse("^normal: got .*all 0$", lambda: rule.collide(v, w, [bad, 0, 0], friction=0.3))
+        refuse("^velocity: got", lambda: rule.collide([bad, 0, 0], w, n, friction=0.3))
+        refuse("^velocity: got", lambda: rule.collide(v, w, n, [0, bad, 0], friction=0.3))
+        refuse("^spin: got", lambda: rule.collide(v, [0, bad, 0], n, friction=0.3))
+        refuse("^friction: got", lambda: rule.collide(v, w, n, friction=bad))
+        refuse(r"^friction: .*\(collision 1, counted from 0\)", lambda: rule.collide(v, w, n, friction=[0.3, bad]))
+    refuse("^normal: got .0, 0, 0.,", lambda: rule.collide(v, w, [0, 0, 0], friction=0.3))
+    refuse("^normal: got .0, 0, 0.,", lambda: rule.collide(v[:2], 0.1, [0, 0], friction=0.3))
+    refuse("^normal: .*collision 1,", lambda: rule.collide(v, w, [[1, 0, 0], [0, 0, 0]], friction=0.3))
+    whole = rule.collide(v, w, n, friction=0.3)
+    for length in (1e-200, 1e200):
+        scaled = rule.collide(v, w, np.multiply(length, n), friction=0.3)
+        assert all(np.array_equal(one, other) for one, other in zip(scaled, whole))
     refuse("friction: got none", lambda: stoss.collision_rule(poisson=0.33, speed=(0.01, 0.1)))
     refuse("friction: got 0.3", lambda: stoss.collision_rule(BALL, speed=(1e-3, 1e-2), friction=0.3))
     refuse("speed", lambda: stoss.collision_rule(BALL, speed=0.1))
