@@ -4,16 +4,16 @@ Run:     python examples/08_drop_test.py [FOLDER]        (default: out/)
 Expect:  a table for five pairs of materials at three speeds each, drop_test.csv and drop_test.png.
          A minute on one core.
 
-    radiation  energy that waves carry away through the block        certified
-    ringing    energy that the ball keeps as vibration               certified
+    radiation  energy that waves carry away through the block        computed
+    ringing    energy that the ball keeps as vibration               computed
     material   heat inside both, with the typical qualities of
-               stoss.materials                                       certified, as far as Q is known
+               stoss.materials                                       computed, as far as Q is known
     yield      plastic flow, of what has a yield strength            a model
     adhesion   of smooth and clean surfaces, of what has a surface
                energy                                                a model
 
-All are shares of ½mv², of one motion: together they are 1 − ε². low and high are the band around ε
-that models and certified errors leave; what is not known of the materials comes on top (constants).
+All are shares of ½mv², of one motion: together they are 1 − ε². Of ε there are three uncertainties:
+the numerical error, the spread of the models, and what is not known of the constants.
 A block is thick enough if the first wave needs longer than the contact to reach its other side and
 come back. Air is left out: the fall from v²/2g and the rise lose another ¾ C_D (ρ_air/ρ) v²/(2gR).
 """
@@ -37,7 +37,7 @@ PAIRS = [
 ]
 CHANNELS = ("radiation", "ringing", "material", "yield", "adhesion")
 COLUMNS = (
-    "ball,block,speed_m_s,restitution,low,high,constants,elastic_restitution,lost_fraction,"
+    "ball,block,speed_m_s,restitution,numerical,models,constants,restitution_without_models,lost_fraction,"
     f"{','.join(CHANNELS)},dominant,contact_time_s,block_m,sticking_m_s,yield_m_s"
 )
 
@@ -52,7 +52,7 @@ def main(folder: Path) -> None:
     warnings.simplefilter("ignore", stoss.StossWarning)  # what is a model, and what is not known of a material
     figure, axes = plt.subplots(figsize=(6, 4.2), layout="constrained")
     lines = [COLUMNS]
-    names = "ball           block             m/s      eps      low     high  1 - eps^2"
+    names = "ball           block             m/s      eps  numerical   models  constants  1 - eps^2"
     print(names, *(f"{name:>9}" for name in CHANNELS), sep="  ")
     for one, other, speeds in PAIRS:
         ball = stoss.Sphere(radius=RADIUS, material=stoss.materials[one])
@@ -62,11 +62,12 @@ def main(folder: Path) -> None:
         begins = f"{drop.yield_speed:.4g}" if drop.yield_speed else "unknown"
         for k, speed in enumerate(speeds):
             thick = 0.5 * drop.contact_time[k] * pressure_wave_speed(block.material)
-            band = (drop.restitution[k], drop.restitution_low[k], drop.restitution_high[k])
+            uncertain = (drop.restitution_error[k], drop.by_models[k], drop.by_constants[k])
             lost = 1 - drop.restitution[k] ** 2
-            print(f"{one:14} {other:14} {speed:6g}", *(f"{each:.5f}" for each in band), sep="  ", end="  ")
+            print(f"{one:14} {other:14} {speed:6g}  {drop.restitution[k]:.5f}", end="  ")
+            print("{:9.1e}  {:7.4f}  {:9.4f}".format(*uncertain), end="  ")
             print(f"{lost:9.3e}", *(f"{share[k]:9.2e}" for share in shares), sep="  ")
-            numbers = (speed, *band, drop.by_constants[k], drop.elastic_restitution[k], lost)
+            numbers = (speed, drop.restitution[k], *uncertain, drop.restitution_without_models[k], lost)
             numbers += tuple(share[k] for share in shares)
             said = [f"{value:.9g}" for value in numbers] + [drop.dominant[k]]
             said += [f"{value:.9g}" for value in (drop.contact_time[k], thick, drop.sticking_speed)]

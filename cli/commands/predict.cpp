@@ -79,7 +79,22 @@ nlohmann::ordered_json details_of(const Prediction& prediction) {
   return details;
 }
 
-/// Below the rows: by how much the constants that matter most move the slowest and the fastest.
+/// Below the rows, so that both parts fit a terminal: what each channel takes of the energy.
+std::string channels_of(const std::vector<Prediction>& all) {
+  std::string text = fmt::format("\n{:>10}", "speed");
+  for (const std::string_view name : channel_names) text += fmt::format("{:>12}", name);
+  text += fmt::format("\n{:>10}", "m/s");
+  for (std::size_t i = 0; i < channel_names.size(); ++i) {
+    text += fmt::format("{:>12}", is_model(static_cast<Channel>(i)) ? "modelled" : "computed");
+  }
+  for (const Prediction& each : all) {
+    text += fmt::format("\n{:>10.6g}", each.speed);
+    for (const double share : each.shares) text += fmt::format("{:>12.4g}", share);
+  }
+  return text + "\n";
+}
+
+/// Below them: by how much the constants that matter most move the slowest and the fastest.
 std::string influences_of(const std::vector<Prediction>& all) {
   constexpr std::size_t most = 5;
   std::string text;
@@ -102,26 +117,19 @@ void run(const PredictArguments& arguments) {
   catch_interrupts();
   const std::vector<Prediction> all = predict(encounter, speeds, options_of(arguments));
   const Units units{.own = UnitSystem::sphere_si, .in_si = UnitSystem::sphere_si};
-  const Shown share{.width = 12};
   const Fields<Prediction> fields(prediction_quantities(), units,
-                                  {{"speed", {.width = 9}},
-                                   {"restitution", {.width = 12}},
-                                   {"restitution_low", {.width = 16}},
-                                   {"restitution_high", {.width = 17}},
-                                   {"ringing", share},
-                                   {"radiation", share},
-                                   {"material", share},
-                                   {"yield", share},
-                                   {"adhesion", share},
-                                   {"dominant", {.width = 11}},
-                                   {"rebound_height", {.width = 15}}});
+                                  {{"speed", {.width = 10}},
+                                   {"restitution", {.width = 22, .with_error = true}},
+                                   {"by_models", {.width = 12}},
+                                   {"by_constants", {.width = 14}},
+                                   {"rebound_height", {.width = 16}}});
   Writer writer = arguments.output.writer(describe(arguments, encounter), fields.columns(), Output::Use::whole);
   std::set<std::string> warned;
   for (const Prediction& each : all) {
     writer.add(fields.row(each), details_of(each));
     warned.insert(each.warnings.begin(), each.warnings.end());
   }
-  if (arguments.output.chosen_format() == Format::table) writer.close_table(influences_of(all));
+  if (arguments.output.chosen_format() == Format::table) writer.close_table(channels_of(all) + influences_of(all));
   writer.finish();
   for (const std::string& each : warned) arguments.output.warn(each);
 }

@@ -81,7 +81,7 @@ Provenance describe(const TableArguments& arguments, const TableJob& job) {
   return provenance;
 }
 
-std::string text_of_function(const TableArguments& arguments, const TableJob& job) {
+std::string text_of_function(const TableArguments& arguments, TableJob& job) {
   // Half of the error is for the straight lines between the rows.
   const double share = arguments.format == "two-column" ? 0.5 : 1.0;
   const FunctionOptions options{.error = share * arguments.error,
@@ -89,10 +89,13 @@ std::string text_of_function(const TableArguments& arguments, const TableJob& jo
                                 .threads = arguments.threads,
                                 .poll = heed_interrupts};
   const auto [slowest, fastest] = std::pair(job.speeds[0], job.speeds[1]);
-  const RestitutionFunction function =
-      arguments.predicted
-          ? predicted_function(job.encounter, slowest, fastest, options, {.work_of_adhesion = arguments.adhesion})
-          : restitution_function(refinable(job.encounter), slowest, fastest, options);
+  const auto computed = [&] {
+    if (!arguments.predicted) return restitution_function(refinable(job.encounter), slowest, fastest, options);
+    auto made = predicted_function(job.encounter, slowest, fastest, options, {.work_of_adhesion = arguments.adhesion});
+    job.by_models = made.by_models;
+    return std::move(made.function);
+  };
+  const RestitutionFunction function = computed();
   if (arguments.format == "json") return as_json(arguments, job, function);
   if (arguments.format == "c") return c_header(function, label(arguments, job));
   return two_column(function, arguments.error, job.unit);
@@ -111,7 +114,10 @@ void warn(const TableArguments& arguments, const TableJob& job) {
     arguments.output.warn("speed above 0.5 c: linear elasticity has lost its meaning there");
   }
   if (arguments.predicted) {
-    arguments.output.warn("yield and adhesion are models: their spread (stoss predict) is not in the errors");
+    arguments.output.warn(
+        fmt::format("yield and adhesion are models, which differ from eps by up to {:.2g}: this and the uncertainty of "
+                    "the constants (stoss predict) are not in the errors",
+                    job.by_models.value_or(0.0)));
     return;
   }
   if (const Yielding its = yielding(job.encounter); its.is_below(job.speeds[1])) {
@@ -121,7 +127,7 @@ void warn(const TableArguments& arguments, const TableJob& job) {
 
 void run(const TableArguments& arguments) {
   check_format(arguments);
-  const TableJob job = make_job(arguments);
+  TableJob job = make_job(arguments);
   if (arguments.format == "netcdf") write_netcdf_of_rule(arguments, job);
   Output output(arguments.output.path);
   catch_interrupts();
@@ -171,7 +177,11 @@ TableLabel label(const TableArguments& arguments, const TableJob& job) {
   for (const std::string& line : split(csv_header(describe(arguments, job)), '\n')) {
     lines.push_back(line.substr(std::min<std::size_t>(2, line.size())));
   }
-  return {.name = arguments.name, .unit = job.unit_name, .scale = job.unit, .provenance = std::move(lines)};
+  return {.name = arguments.name,
+          .unit = job.unit_name,
+          .scale = job.unit,
+          .by_models = job.by_models,
+          .provenance = std::move(lines)};
 }
 
 nlohmann::ordered_json json_head(const TableArguments& arguments, const TableJob& job, const std::string& between) {

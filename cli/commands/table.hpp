@@ -40,6 +40,7 @@ struct TableJob {
   bool si = units_of(encounter).si.has_value();
   double unit = speed_unit(encounter);  ///< m/s, or 1
   std::string unit_name = si ? "m/s" : "c";
+  std::optional<double> by_models{};  ///< the largest spread of the models, once it is computed
 };
 
 [[nodiscard]] Beyond beyond(const TableArguments& arguments);

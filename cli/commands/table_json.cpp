@@ -13,6 +13,7 @@ nlohmann::ordered_json json_of(const TableArguments& arguments, const TableJob& 
                                const std::string& between) {
   auto document = json_head(arguments, job, between);
   document["greatest_error"] = function.greatest_error();
+  if (job.by_models) document["by_models"] = *job.by_models;
   return document;
 }
 

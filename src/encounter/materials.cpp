@@ -17,7 +17,7 @@ constexpr double unknown = 0.0;
 /// A material without what only some know.
 NamedMaterial made(std::string_view name, const Material& material, double quality, std::string_view source,
                    double frequency = hard) {
-  NamedMaterial named{name, material, quality, frequency, source, {}, {}, {}};
+  NamedMaterial named{name, material, quality, frequency, source, {}, {}, {}, false};
   if (quality != unknown) named.material.loss_time = loss_time_of_quality(quality, frequency);
   named.uncertainties.young = 0.05, named.uncertainties.poisson = 0.05, named.uncertainties.density = 0.01;
   if (quality != unknown) named.uncertainties.loss_time = 2.0;
@@ -43,6 +43,12 @@ NamedMaterial varying(NamedMaterial named, double young, double poisson, double 
   return named;
 }
 
+/// What cracks, roughness, frost and water let lose far more than waves and the sound material do (docs/measured.md).
+NamedMaterial if_sound(NamedMaterial named) {
+  named.sound = true;
+  return named;
+}
+
 }  // namespace
 
 const std::vector<NamedMaterial>& named_materials() {
@@ -50,15 +56,16 @@ const std::vector<NamedMaterial>& named_materials() {
       with_strength(varying(made("structural steel", {2.1e11, 0.30, 7850.0}, 3000.0, "structural steel, Eurocode 3"),
                             0.03, 0.03, 0.01),
                     2.35e8, 0.5, "the least of S235, EN 10025; most samples have more"),
-      with_surface(varying(made("glass", {7.0e10, 0.22, 2500.0}, 1000.0,
-                                "soda-lime glass, EN 572-1; nu between the 0.20 there and the 0.23 of makers"),
-                           0.04, 0.1, 0.01),
-                   0.03, 3.0, "order of magnitude of glass in air; clean in vacuum it is ten times as much"),
-      with_surface(varying(made("ice", {9.3e9, 0.33, 917.0}, 200.0,
-                                "polycrystalline, at -16 C: Gammon et al., J. Glaciology 29, 433 (1983); stiffer by "
-                                "0.14 % for each degree colder"),
-                           0.03, 0.03, 0.005),
-                   0.19, 0.5, "from rolling of micrometre spheres: Gundlach et al., arXiv:1102.0430 (2011)"),
+      if_sound(with_surface(varying(made("glass", {7.0e10, 0.22, 2500.0}, 1000.0,
+                                         "soda-lime glass, EN 572-1; nu between the 0.20 there and the 0.23 of makers"),
+                                    0.04, 0.1, 0.01),
+                            0.03, 3.0, "order of magnitude of glass in air; clean in vacuum it is ten times as much")),
+      if_sound(with_surface(
+          varying(made("ice", {9.3e9, 0.33, 917.0}, 200.0,
+                       "polycrystalline, at -16 C: Gammon et al., J. Glaciology 29, 433 (1983); stiffer by "
+                       "0.14 % for each degree colder"),
+                  0.03, 0.03, 0.005),
+          0.19, 0.5, "from rolling of micrometre spheres: Gundlach et al., arXiv:1102.0430 (2011)")),
       with_surface(
           varying(made("rubber", {2e6, 0.49, 1100.0}, 10.0, "soft rubber, orders of magnitude", soft), 2.0, 0.01, 0.1),
           0.035, 0.5, "order of magnitude of polymers in air"),
@@ -76,8 +83,9 @@ const std::vector<NamedMaterial>& named_materials() {
                    "sintered, as in benchmarks of DEM codes after Kharaz et al., Powder Technol. 120, 281 (2001)"),
               0.05, 0.1, 0.03),
       made("tungsten carbide", {6.2e11, 0.22, 14900.0}, unknown, "6 % of cobalt, typical without a single source"),
-      varying(made("granite", {5e10, 0.25, 2650.0}, 100.0, "typical without a single source; E from 20 to 70 GPa"), 0.4,
-              0.2, 0.03),
+      if_sound(
+          varying(made("granite", {5e10, 0.25, 2650.0}, 100.0, "typical without a single source; E from 20 to 70 GPa"),
+                  0.4, 0.2, 0.03)),
       varying(made("PMMA", {3.2e9, 0.37, 1190.0}, 30.0,
                    "typical without a single source; its modulus grows with the rate of loading"),
               0.2, 0.05, 0.01),
@@ -96,8 +104,8 @@ const Material& named_material(std::string_view name) {
     if (each.name == name) return each.material;
     names += (names.empty() ? "" : ", ") + std::string(each.name);
   }
-  // In version 1.0 "steel" was the structural one, which hardly any ball is made of.
-  if (name == "steel") {
+  // In version 1.0 "structural steel" was the structural one, which hardly any ball is made of.
+  if (name == "structural steel") {
     throw InvalidInput(
         "material: got 'steel', allowed 'structural steel' (yields at 235 MPa) or 'bearing steel' (at 1.7 GPa): their "
         "yield speeds differ by a factor of 140");

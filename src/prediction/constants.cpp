@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <functional>
-#include <numbers>
 
 #include "check.hpp"
 #include "encounter/participant.hpp"
+#include "prediction/quality.hpp"
 #include "prediction/touching.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/errors.hpp"
@@ -43,16 +43,21 @@ const std::vector<Constant>& constants() {
   return all;
 }
 
-const NamedMaterial* named(const Participant& of) {
-  for (const NamedMaterial& each : named_materials()) {
-    if (each.name == of.material_name) return &each;
-  }
-  return nullptr;
+Uncertainties known_of(const Participant& of) {
+  const NamedMaterial* its = named_of(of);
+  return its != nullptr ? its->uncertainties : Uncertainties{};
 }
 
-Uncertainties known_of(const Participant& of) {
-  const NamedMaterial* its = named(of);
-  return its != nullptr ? its->uncertainties : Uncertainties{};
+/// Q of a material that has the same at all frequencies; 0 where it has a loss time or none is known.
+double quality_of(const Participant& of) {
+  const NamedMaterial* its = named_of(of);
+  return its == nullptr || of.values.contains("loss_time") ? 0.0 : its->quality;
+}
+
+/// By what the loss time of a slow impact is larger where the material loses more by a factor.
+double larger_loss_time(const Participant& of, double factor) {
+  const double quality = quality_of(of);
+  return quality == 0.0 ? factor : loss_number_of_quality(quality / factor) / loss_number_of_quality(quality);
 }
 
 /// What a body adds to the loss in the material of slow contacts: its softness times its loss time.
@@ -91,12 +96,19 @@ void require_names(const Encounter& encounter, const PredictionOptions& options)
 
 }  // namespace
 
-Encounter at_duration(const Encounter& encounter, double duration) {
+const NamedMaterial* named_of(const Participant& of) {
+  for (const NamedMaterial& each : named_materials()) {
+    if (each.name == of.material_name) return &each;
+  }
+  return nullptr;
+}
+
+Encounter at_speed(const Encounter& encounter, double time) {
   Encounter made = encounter;
   for (Participant* each : {&made.first, &made.against}) {
-    const NamedMaterial* its = named(*each);
-    if (its == nullptr || its->quality == 0.0 || each->values.contains("loss_time")) continue;
-    each->material->loss_time = loss_time_of_quality(its->quality, std::numbers::pi / duration);
+    const double quality = quality_of(*each);
+    if (quality == 0.0) continue;
+    each->material->loss_time = loss_number_of_quality(quality) / 1.5 * time;
     for (Participant& layer : each->below) {  // of one material, as all layers share a loss time
       layer.material->loss_time = each->material->loss_time;
       layer.material_name.clear();
@@ -125,7 +137,8 @@ std::vector<Variant> variants(const Encounter& encounter, const Encounter& at, c
       if (each.name == "loss_time") {
         if (of_all == 0.0) continue;
         const double share = loss_of(at.*side) / of_all;
-        variant.material_factor += uncertainty * share * (at.against.kind == "same" ? 2.0 : 1.0);
+        const double more = larger_loss_time(encounter.*side, 1.0 + uncertainty) - 1.0;
+        variant.material_factor += more * share * (at.against.kind == "same" ? 2.0 : 1.0);
       } else {
         variant.encounter.*side = enlarged(at.*side, each, 1.0 + uncertainty);
         // Of two alike the weaker one is no other: both are what they are made of.

@@ -3,9 +3,13 @@
 #include <string>
 #include <vector>
 
+#include "stoss/encounter/materials.hpp"
 #include "stoss/prediction/prediction.hpp"
 
 namespace stoss::prediction {
+
+/// The material of the list that a body has by its name; null for numbers of its own.
+[[nodiscard]] const NamedMaterial* named_of(const Participant& of);
 
 /// A constant that is known within a factor of 1 + u, and the encounter in which it is larger by this factor.
 struct Variant {
@@ -13,7 +17,7 @@ struct Variant {
   double uncertainty = 0.0;
   Encounter encounter;
   std::optional<double> work_of_adhesion;
-  bool elastic = false;          ///< whether the certified channels are others
+  bool elastic = false;          ///< whether the computed channels are others
   double material_factor = 1.0;  ///< times what the material takes
 };
 
@@ -23,8 +27,9 @@ struct Variant {
 [[nodiscard]] std::vector<Variant> variants(const Encounter& encounter, const Encounter& at,
                                             const PredictionOptions& options);
 
-/// The encounter with the loss time that a named material has in a contact of this duration, τ/(πQ): its quality is
-/// that of all frequencies.
-[[nodiscard]] Encounter at_duration(const Encounter& encounter, double duration);
+/// The encounter with the loss time with which a slow viscous impact loses as much as one of a named material, whose
+/// quality is the same at all frequencies: to first order of the loss where the two bodies differ.
+/// @param time (m/k)^{2/5} v^{−1/5}, s
+[[nodiscard]] Encounter at_speed(const Encounter& encounter, double time);
 
 }  // namespace stoss::prediction

@@ -34,11 +34,11 @@ InelasticContact calibrated(double material, double waves, Waves form) {
 
 }  // namespace
 
-Motion::Motion(const Certified& certified, Waves waves, double material_factor)
-    : certified_(certified),
-      lossy_(calibrated(std::max(certified.material, 0.0), std::max(certified.waves(), 0.0), waves)) {
+Motion::Motion(const Computed& computed, Waves waves, double material_factor)
+    : computed_(computed),
+      lossy_(calibrated(std::max(computed.material, 0.0), std::max(computed.waves(), 0.0), waves)) {
   const double alone = inelastic_impact(lossy_).restitution;
-  correction_ = alone > 0.0 ? certified.restitution / alone : 0.0;
+  correction_ = alone > 0.0 ? computed.restitution / alone : 0.0;
   lossy_.loss_time *= material_factor;
 }
 
@@ -58,7 +58,7 @@ Whole Motion::with(const Touching& touching, double speed, quasistatic::YieldLaw
   const double left = std::min(together.restitution * correction_, 1.0);
   const double lost = 1.0 - together.restitution * together.restitution;
   const double factor = lost > 0.0 ? (1.0 - left * left) / lost : 0.0;
-  const double ringing = certified_.waves() > 0.0 ? certified_.ringing / certified_.waves() : 0.0;
+  const double ringing = computed_.waves() > 0.0 ? computed_.ringing / computed_.waves() : 0.0;
   made.restitution = sticks ? 0.0 : left;
   made.shares = {together.waves * ringing * factor, together.waves * (1.0 - ringing) * factor,
                  std::max(together.material, 0.0) * factor, std::max(together.yield, 0.0) * factor,

@@ -6,8 +6,8 @@
 
 namespace stoss::prediction {
 
-/// What the certified channels take by themselves, as shares of the energy.
-struct Certified {
+/// What the computed channels take by themselves, as shares of the energy.
+struct Computed {
   double restitution = 1.0;  ///< ε
   double ringing = 0.0, radiation = 0.0, material = 0.0;
 
@@ -24,19 +24,19 @@ struct Whole {
 /// How waves answer to the force: radiation to its rate, or, in a thin plate, a velocity to the force itself.
 enum class Waves { of_rate, of_force };
 
-/// The motion that without models loses what the certified channels do, to which models are added.
+/// The motion that without models loses what the computed channels do, to which models are added.
 class Motion {
  public:
   /// @param material_factor times the loss in the material
-  Motion(const Certified& certified, Waves waves, double material_factor = 1.0);
+  Motion(const Computed& computed, Waves waves, double material_factor = 1.0);
 
-  /// With models: ε is that of the motion times what the certified one has over its own without models, 1 but where
+  /// With models: ε is that of the motion times what the computed one has over its own without models, 1 but where
   /// nearly all is lost.
   [[nodiscard]] Whole with(const Touching& touching, double speed,
                            quasistatic::YieldLaw law = quasistatic::YieldLaw::finite_elements) const;
 
  private:
-  Certified certified_;
+  Computed computed_;
   quasistatic::InelasticContact lossy_;
   double correction_ = 1.0;
 };

@@ -1,6 +1,9 @@
 #include "prediction/warnings.hpp"
 
+#include <algorithm>
 #include <cstdio>
+
+#include "prediction/constants.hpp"
 
 namespace stoss::prediction {
 namespace {
@@ -22,7 +25,7 @@ bool has_strength(const Participant& of) {
 
 }  // namespace
 
-std::vector<std::string> warnings(const Encounter& encounter, const Thresholds& limits, const Restitution& certified,
+std::vector<std::string> warnings(const Encounter& encounter, const Thresholds& limits, const Restitution& computed,
                                   const Prediction& made) {
   std::vector<std::string> all;
   if (limits.yield && made.speed > *limits.yield) {
@@ -44,10 +47,19 @@ std::vector<std::string> warnings(const Encounter& encounter, const Thresholds& 
     if (!has_strength(*each))
       all.push_back("no yield strength " + who + " is known: it is taken not to yield or break");
   }
-  if (certified.finest.beyond_small_strain) {
-    all.emplace_back("strains are large: linear elasticity, and so the certified channels, have lost their meaning");
+  std::vector<std::string> told;
+  for (const Participant* each : {&encounter.first, &encounter.against}) {
+    const NamedMaterial* its = named_of(*each);
+    if (its == nullptr || !its->sound || each->rigid || std::count(told.begin(), told.end(), its->name) != 0) continue;
+    told.emplace_back(its->name);
+    all.push_back(
+        told.back() +
+        " is taken as sound, smooth, dry and uncracked: measured losses are often ten times as large and more");
   }
-  if (!certified.converged) all.push_back("certified channels: " + certified.reason);
+  if (computed.finest.beyond_small_strain) {
+    all.emplace_back("strains are large: linear elasticity, and so the computed channels, have lost their meaning");
+  }
+  if (!computed.converged) all.push_back("computed channels: " + computed.reason);
   return all;
 }
 

@@ -9,6 +9,6 @@ namespace stoss::prediction {
 
 /// What ends within an impact of what was computed, each with the speed at which it does.
 [[nodiscard]] std::vector<std::string> warnings(const Encounter& encounter, const Thresholds& limits,
-                                                const Restitution& certified, const Prediction& made);
+                                                const Restitution& computed, const Prediction& made);
 
 }  // namespace stoss::prediction

@@ -71,7 +71,8 @@ std::vector<std::string> first_in_bins(const std::vector<double>& x, double bins
 std::vector<std::string> comment(const RestitutionFunction& function, const TableLabel& label) {
   const bool clamps = function.beyond() == Beyond::clamp;
   std::vector<std::string> lines{
-      "Coefficient of restitution of elastic bodies against their speed of approach.",
+      label.by_models ? "Coefficient of restitution against the speed of approach, with yield and adhesion as models."
+                      : "Coefficient of restitution of elastic bodies against their speed of approach.",
       "",
       "  @name@_restitution(v)        at the speed of approach v, in " + label.unit + "; its sign does not count",
       "  @name@_restitution_error(v)  its error, interpolation included: at most " +
@@ -84,6 +85,14 @@ std::vector<std::string> comment(const RestitutionFunction& function, const Tabl
       "A cubic in ln v, monotone where the values are, between values computed at " +
           std::to_string(function.knots().size()) + " speeds.",
       ""};
+  if (label.by_models) {
+    const std::vector<std::string> more{
+        "That error is of computation and interpolation alone. Beside it stand the spread of the",
+        "models, which differ from the coefficient by up to " + table::at_most(*label.by_models) +
+            ", and the uncertainty of the constants:",
+        "stoss predict says both for each speed.", ""};
+    lines.insert(lines.begin() + 5, more.begin(), more.end());
+  }
   for (std::string& line : lines) line = table::filled(line, label.name);
   lines.insert(lines.end(), label.provenance.begin(), label.provenance.end());
   while (lines.back().empty()) lines.pop_back();

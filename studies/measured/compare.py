@@ -29,8 +29,15 @@ def losses(measured, row):
     return f"{(1 - measured**2) / (1 - row['restitution'] ** 2):.2g}"
 
 
+def rounded(value):
+    """To one digit, small numbers with a power of ten."""
+    digits, power = f"{value:.0e}".split("e")
+    return f"{value:.1g}" if value == 0 or int(power) > -4 else f"{digits}·10⁻{'⁰¹²³⁴⁵⁶⁷⁸⁹'[-int(power)]}"
+
+
 def said(row):
-    return f"{row['restitution']:.3f}", f"{row['restitution_low']:.3f} … {row['restitution_high']:.3f}", row["dominant"]
+    uncertain = [rounded(row[name]) for name in ("restitution_error", "by_models", "by_constants")]
+    return f"{row['restitution']:.3f}", *uncertain, row["dominant"]
 
 
 def law(command, name, what, radius, chosen):

@@ -16,7 +16,10 @@ def rows(stoss, arguments):
 def test_shares_add_up(stoss):
     for row in rows(stoss, f"{BALL} --material 'structural steel' --against half-space,material=glass --speed 0.01,1"):
         assert sum(row[name] for name in CHANNELS) == pytest.approx(1 - row["restitution"] ** 2, abs=1e-9)
-        assert row["restitution_low"] <= row["restitution"] <= row["restitution_high"]
+        assert row["models_low"] <= row["restitution"] <= row["models_high"]
+        spread = max(row["models_high"] - row["restitution"], row["restitution"] - row["models_low"])
+        assert row["by_models"] == pytest.approx(spread, abs=1e-15)
+        assert 0 < row["restitution_error"] < 1e-4 < row["by_constants"]
         assert row["rebound_height"] == pytest.approx(row["restitution"] ** 2 * row["drop_height"])
         assert row["dominant"] == max(CHANNELS, key=row.get)
         changes = [abs(each["change"]) for each in row["influences"]]
@@ -30,7 +33,7 @@ def test_without_models_it_is_the_restitution(stoss):
     (row,) = rows(stoss, f"{ball} --speed 1")
     elastic = stoss.run("restitution --format json --absolute 1e-5", f"{ball} --speed 1")
     (other,) = json.loads(elastic.stdout)["records"]
-    assert row["elastic_restitution"] == other["restitution"]
+    assert row["restitution_without_models"] == other["restitution"]
     assert row["restitution"] == pytest.approx(other["restitution"], abs=1e-8)
     assert row["yield"] == row["adhesion"] == 0
 

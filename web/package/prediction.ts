@@ -1,7 +1,7 @@
 // What a drop test of a real ball shows, as the core predicts it.
 import type { Quantity } from './answers.js';
 
-/** What takes energy; ringing, radiation and material are certified, the others are models. */
+/** What takes energy; ringing, radiation and material are computed, the others are models. */
 export interface Channel {
   /** as the command has it */
   name: string;
@@ -21,7 +21,7 @@ export interface Influence {
 /** ε of one speed with all channels: what `stoss predict --format json` prints. */
 export interface Prediction {
   speed: number;
-  /** restitution, restitution_low, restitution_high, elastic_restitution, by_constants, drop_height, … in SI */
+  /** restitution, by_models, by_constants, models_low, models_high, restitution_without_models, … in SI */
   quantities: Record<string, Quantity>;
   channels: Channel[];
   /** the name of the one with the largest share */

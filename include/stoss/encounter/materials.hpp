@@ -22,6 +22,7 @@ struct NamedMaterial {
   std::string_view strength_source;  ///< of the yield strength
   std::string_view surface_source;   ///< of the surface energy
   Uncertainties uncertainties{};
+  bool sound = false;  ///< its rebounds are of sound, smooth, dry samples: others lose ten times as much and more
 };
 
 /// Typical materials. Yours differs, rubber and rock by factors: measure it. What has no yield strength is brittle, or

@@ -14,9 +14,12 @@
 
 /// What a drop test of a real ball would show: ε with all that takes energy, channel by channel.
 ///
-/// Ringing, radiation and loss in the material follow from elasticity, with certified errors. Yield and adhesion are
-/// *models*, with a spread of their own that is no error bar. One motion has them all (inelastic_impact.hpp): the loss
-/// time and the radiation in it are such that without yield and adhesion it loses what the elastic bodies do.
+/// Ringing, radiation and loss in the material are *computed* from elasticity, with a numerical error. Yield and
+/// adhesion are *modelled*, with a spread of published models. What is not known of the constants is a third
+/// uncertainty, and often the largest: the three stand side by side and are never added. One motion has all channels
+/// (inelastic_impact.hpp): the loss time and the radiation in it are such that without yield and adhesion it loses what
+/// the computed impact does. A named material has one quality Q at all frequencies, and loses what such a material
+/// loses in a slow impact (docs/theory/loss.md); one with a loss time is Kelvin and Voigt's.
 namespace stoss {
 
 /// What takes energy, in the order of `Prediction::shares`.
@@ -39,11 +42,12 @@ struct Influence {
 /// ε of one impact, with its parts.
 struct Prediction {
   double speed = 0.0;                 ///< of approach, m/s
-  double restitution = 0.0;           ///< ε with all channels; 0 where the bodies stick
-  double lowest = 0.0;                ///< of the band: certified error and spread of the models
-  double highest = 0.0;               ///< of the band
-  double constants = 0.0;             ///< what uncertain constants add, root of the sum of the squares of all changes
-  Estimate elastic;                   ///< ε of the certified channels alone
+  Estimate restitution;               ///< ε with all channels, and its numerical error; 0 where the bodies stick
+  double by_models = 0.0;             ///< spread of the models: how far the farthest of them is from ε
+  double by_constants = 0.0;          ///< what uncertain constants do, root of the sum of the squares of all changes
+  double models_low = 0.0;            ///< the lowest ε of the models, without the other two uncertainties
+  double models_high = 0.0;           ///< the highest
+  Estimate without_models;            ///< ε without yield and adhesion, with what waves and the material take
   std::array<double, 5> shares{};     ///< of each channel in the energy before the impact, in one motion
   Channel dominant{};                 ///< the largest of them
   double drop_height = 0.0;           ///< from which a ball falls to this speed without air, v²/2g, m
@@ -51,11 +55,6 @@ struct Prediction {
   double contact_time = 0.0;          ///< s; infinite where the bodies stick
   std::vector<Influence> influences;  ///< the largest change first
   std::vector<std::string> warnings;  ///< what ends within the range of what was computed, with the speeds
-
-  /// Error of ε that is certified: that of the elastic one, in proportion.
-  [[nodiscard]] double certified_error() const {
-    return elastic.value > 0.0 ? elastic.error * restitution / elastic.value : elastic.error;
-  }
 
   [[nodiscard]] double share(Channel channel) const { return shares[static_cast<std::size_t>(channel)]; }
 };
@@ -79,7 +78,7 @@ struct PredictionOptions {
   /// u of constants, by name, in place of those of named materials: 0 to 10; 0: exactly known.
   std::map<std::string, double, std::less<>> uncertainties{};
   bool influences = true;   ///< whether constants are varied, which takes most of the time
-  double tolerance = 1e-3;  ///< of the certified channels, as `restitution` has it
+  double tolerance = 1e-3;  ///< of the computed channels, as `restitution` has it
   int threads = 0;          ///< 0: as many as the machine has; results do not depend on it
   Poll poll{};
 };
@@ -91,13 +90,17 @@ struct PredictionOptions {
 [[nodiscard]] std::vector<Prediction> predict(const Encounter& encounter, const std::vector<double>& speeds,
                                               const PredictionOptions& options = {});
 
-/// ε of `predict` as a function of the speed in c of the ball, for other programs: that of `restitution_function`,
-/// whose errors are of the certified channels and of the interpolation, not the spread of the models.
+/// ε of `predict` as a function, with what the errors of the function leave out.
+struct PredictedFunction {
+  RestitutionFunction function;  ///< its errors are those of computation and of the interpolation
+  double by_models = 0.0;        ///< the largest spread of the models at the speeds at which ε was computed
+};
+
+/// ε of `predict` as a function of the speed in c of the ball, for other programs, as `restitution_function` makes it.
 /// @param options error 1e-4 … 0.1; Beyond::law has no law here
 /// @throws InvalidInput as predict and restitution_function; NotConverged as the latter
-[[nodiscard]] RestitutionFunction predicted_function(const Encounter& encounter, double slowest, double fastest,
-                                                     const FunctionOptions& options = {},
-                                                     PredictionOptions models = {});
+[[nodiscard]] PredictedFunction predicted_function(const Encounter& encounter, double slowest, double fastest,
+                                                   const FunctionOptions& options = {}, PredictionOptions models = {});
 
 /// Speeds at which the models of an encounter begin to matter. @throws InvalidInput as predict
 [[nodiscard]] Thresholds thresholds(const Encounter& encounter, const PredictionOptions& options = {});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct TableLabel {
   std::string name = "stoss";             ///< prefix of its names: letters, digits and _, at most 40
   std::string unit = "c";                 ///< of its speeds, as in m/s
   double scale = 1.0;                     ///< speed of the table over that of the function
+  std::optional<double> by_models{};      ///< of predictions: the largest spread of the models, which no error holds
   std::vector<std::string> provenance{};  ///< lines: who made it, from what
 };
 

@@ -1,4 +1,4 @@
-"""What a drop test shows: ε in its band, and where the energy goes."""
+"""What a drop test shows: ε with its three uncertainties, and where the energy goes."""
 
 from __future__ import annotations
 
@@ -30,10 +30,11 @@ DECADES = 6.0  # below the largest loss that are shown
 def prediction(result: Prediction, ax: Axes | None = None) -> Axes:
     """What a drop test shows against speed, in three pictures inside the Axes, its `child_axes`.
 
-    Above, ε in its band, and dashed that of the certified channels alone. In the middle the lost
-    energy, and what each channel takes of the energy before. Below, the channels as shares of what
-    is lost, one above the other. Certified channels are solid, models dashed and hatched. A dotted
-    line is the speed at which yielding begins.
+    Above, ε and dashed that without yield and adhesion, with its three uncertainties: the spread of
+    the models shaded, what uncertain constants do as bars, and the numerical error as thin lines on
+    both sides. In the middle the lost energy, and what each channel takes of the energy before.
+    Below, the channels as shares of what is lost, one above the other. Computed channels are solid,
+    models dashed and hatched. A dotted line is the speed at which yielding begins.
 
     Examples:
         >>> ball = stoss.Sphere(radius=5e-3, material=stoss.materials["bearing steel"])
@@ -74,12 +75,15 @@ def _draw_restitution(axes: Axes, result: Prediction, order: NDArray[np.intp], s
     def values(name: str) -> Array:
         return np.ravel(getattr(result, name))[order]
 
-    low, high = values("restitution_low"), values("restitution_high")
-    axes.fill_between(speed, low, high, color=BAND, linewidth=0.0, label="band")
-    axes.plot(speed, values("restitution"), color=_style.BLACK, label="ε")
-    axes.plot(
-        speed, values("elastic_restitution"), color=_style.BLUE, linestyle="--", linewidth=0.9, label="without models"
-    )
+    value, error = values("restitution"), values("restitution_error")
+    alone, constants = values("restitution_without_models"), values("by_constants")
+    axes.fill_between(speed, values("models_low"), values("models_high"), color=BAND, linewidth=0.0, label="models")
+    axes.plot(speed, value, color=_style.BLACK, label="ε")
+    axes.plot(speed, alone, color=_style.BLUE, linestyle="--", linewidth=0.9, label="without models")
+    for edge in (value - error, value + error):
+        axes.plot(speed, edge, color=_style.BLACK, linewidth=0.3)
+    look = {"fmt": "none", "ecolor": _style.VERMILION, "elinewidth": 0.8, "capsize": 1.5}
+    axes.errorbar(speed, value, yerr=constants, label="constants", **look)
     axes.ticklabel_format(axis="y", useOffset=False)
     axes.set_ylabel("restitution ε")
     _above(axes)

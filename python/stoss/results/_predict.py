@@ -33,11 +33,11 @@ def predict(
 ) -> Prediction:
     """Predict ε of a real ball, with all that takes energy, channel by channel.
 
-    Ringing, radiation and loss in the material follow from elasticity, with certified errors. Yield
-    and adhesion are models, with a spread of their own. All are in one motion, so that they take of
-    each other. Materials of `stoss.materials` bring how well their constants are known, and their
-    quality holds at the duration of each impact. All is in SI. What ends within the range of what
-    was computed is in `warnings`, and a `StossWarning` says it once.
+    Ringing, radiation and loss in the material are computed from elasticity, with a numerical error.
+    Yield and adhesion are models, with a spread of their own. All are in one motion, so that they
+    take of each other. Materials of `stoss.materials` bring how well their constants are known, and
+    have their quality at all frequencies; a `loss_time` is Kelvin and Voigt's. All is in SI. What
+    ends within the range of what was computed is in `warnings`, and a `StossWarning` says it once.
 
     Parameters:
         body: The ball: with a material.
@@ -50,14 +50,14 @@ def predict(
         uncertainties (mapping of str to float, optional): Of constants, as ``{"young": 0.05,
             "against loss_time": 2}``: each is known within a factor of 1 + u, u from 0 to 10.
             Default: those of `stoss.materials`.
-        tolerance: Of the certified channels: relative error of 1 − ε², 1e-15 to 0.5.
+        tolerance: Of the computed channels: relative error of 1 − ε², 1e-15 to 0.5.
 
     Examples:
         >>> ball = stoss.Sphere(radius=5e-3, material=stoss.materials["bearing steel"])
         >>> block = stoss.HalfSpace(material=stoss.materials["bearing steel"])
         >>> gentle = stoss.predict(ball, against=block, speed=0.1)
         >>> round(gentle.restitution, 4), gentle.dominant
-        (0.9986, 'radiation')
+        (0.9987, 'radiation')
         >>> fall = stoss.predict(ball, against=block, height=[1e-4, 1e-3])
         >>> fall.speed.round(4)
         array([0.0443, 0.14  ])

@@ -22,7 +22,7 @@ CHANNELS: Mapping[str, str] = {
 """The field of each channel."""
 
 MODELS = ("yield", "adhesion")
-"""The channels that are models; the others are certified."""
+"""The channels that are models; the others are computed."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -46,24 +46,26 @@ class Prediction(Result):
 
     Numbers if the speed was one, otherwise arrays of its shape: then ``len()`` is the length of the
     first axis, and indices select as in numpy. Ringing, radiation and material follow from
-    elasticity with certified errors. Yielding and adhesion are models: what they spread is in the
-    band, which is no error bar.
+    elasticity, with a numerical error. Yielding and adhesion are models, which differ. What is not
+    known of the constants is the third uncertainty: the three stand side by side, and none holds
+    another.
 
     Attributes:
         body (Sphere): The ball.
         against: What it meets.
         speed: Of approach, m/s.
         restitution: ε with all channels; 0 where the bodies stick.
-        restitution_low, restitution_high: Band around it: the certified error, and how far published
-            models differ.
-        elastic_restitution, elastic_restitution_error: ε of the certified channels alone, and its
-            estimated error.
-        ringing, radiation, material: Certified channels, as shares of the energy before: vibration of
+        restitution_error: Its numerical error.
+        by_models: Spread of the models: how far the farthest of them is from ε.
+        by_constants: What uncertain constants do to ε: root of the sum of the squares of all changes
+            in `influences`; 0 where none is uncertain.
+        models_low, models_high: The lowest and the highest ε of the models.
+        restitution_without_models, restitution_without_models_error: ε without yield and adhesion,
+            of waves and loss in the material alone, and its numerical error.
+        ringing, radiation, material: Computed channels, as shares of the energy before: vibration of
             the ball or of two, waves that leave through a block or a plate, and heat in both.
         yielding, adhesion: Channels that are models, as shares of it. In files the first is `yield`.
         dominant (str or ndarray): Which channel is the largest; 'yield' is that of `yielding`.
-        by_constants: What uncertain constants add to the error of ε: root of the sum of the squares
-            of all changes in `influences`.
         drop_height, rebound_height: From which a ball falls to this speed without air, and to which
             it rises, m.
         contact_time: From first to last contact, s; infinite where the bodies stick.
@@ -78,10 +80,10 @@ class Prediction(Result):
             than a hundredth of the energy below the second, m/s.
         work_of_adhesion (float or None): As it was given, J/m².
         uncertainties (mapping or None): As they were given.
-        tolerance: Asked for, of the certified channels: error of 1 − ε² over 1 − ε².
+        tolerance: Asked for, of the computed channels: error of 1 − ε² over 1 − ε².
     """
 
-    plot = picture("ε in its band, and where the energy goes, against speed. See `stoss.plot.prediction`.")
+    plot = picture("ε with its uncertainties, and where the energy goes, against speed. See `stoss.plot.prediction`.")
     _name: ClassVar[str] = "predict"
     _kind = "prediction"
     _axis: ClassVar[str] = "speed"
@@ -91,17 +93,19 @@ class Prediction(Result):
     against: Against | str
     speed: Number
     restitution: Number
-    restitution_low: Number
-    restitution_high: Number
-    elastic_restitution: Number
-    elastic_restitution_error: Number
+    restitution_error: Number
+    by_models: Number
+    by_constants: Number
+    models_low: Number
+    models_high: Number
+    restitution_without_models: Number
+    restitution_without_models_error: Number
     ringing: Number
     radiation: Number
     material: Number
     yielding: Number
     adhesion: Number
     dominant: str | NDArray[np.object_]
-    by_constants: Number
     drop_height: Number
     rebound_height: Number
     contact_time: Number
@@ -120,8 +124,10 @@ class Prediction(Result):
         of = f"{shown(self.body, self.against)}{met}, speed={span(self.speed)} m/s"
         if np.ndim(self.restitution):
             return f"Prediction({np.size(self.speed)} values, {of}: restitution {span(self.restitution)})"
-        low, value, high = _rounded(self.restitution_low, self.restitution, self.restitution_high)
-        return f"Prediction({of}: restitution {value}, {low} to {high}, most to {self.dominant})"
+        parts = (self.restitution_error, self.by_models, self.by_constants)
+        numerical, models, constants = (f"{float(each):.1g}" for each in parts)
+        uncertain = f"± {numerical} numerical, ± {models} models, ± {constants} constants"
+        return f"Prediction({of}: restitution {_rounded(self.restitution, max(parts))}, {uncertain}, most to {self.dominant})"
 
     def __len__(self) -> int:
         return _tables.sized(self.restitution)
@@ -165,8 +171,7 @@ def _finite(times: Any) -> Any:
     return times if math.isfinite(times) else None
 
 
-def _rounded(*values: Any) -> list[str]:
-    """With as many digits as show two of how far they differ."""
-    width = max(values) - min(values)
-    digits = max(2, 1 - math.floor(math.log10(width))) if 0.0 < width < math.inf else 6
-    return [f"{value:.{digits}f}" for value in values]
+def _rounded(value: Any, uncertainty: Any) -> str:
+    """With two digits of its uncertainty."""
+    digits = max(2, 1 - math.floor(math.log10(uncertainty))) if 0.0 < uncertainty < math.inf else 6
+    return f"{value:.{digits}f}"

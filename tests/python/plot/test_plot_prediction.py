@@ -32,16 +32,21 @@ def upper(band):
     return {x: max(y for at, y in corners if at == x) for x in {at for at, _ in corners}}
 
 
-def test_restitution_in_its_band(drop):
+def test_restitution_with_its_three_uncertainties(drop):
     ax = drop.plot().child_axes[0]
     order = np.argsort(drop.speed)
-    value, elastic = ax.lines[:2]
+    value, elastic, below, above = ax.lines[:4]
     assert value.get_xdata().tolist() == sorted(SPEEDS)
     assert value.get_ydata().tolist() == drop.restitution[order].tolist()
-    assert elastic.get_ydata().tolist() == drop.elastic_restitution[order].tolist() and elastic.get_linestyle() == "--"
-    (band,) = ax.collections
-    assert upper(band) == dict(zip(drop.speed, drop.restitution_high))
-    assert words(ax) == ["band", "ε", "without models"] and ax.get_xscale() == "log"
+    assert elastic.get_ydata().tolist() == drop.restitution_without_models[order].tolist()
+    assert elastic.get_linestyle() == "--"
+    assert below.get_ydata().tolist() == (drop.restitution - drop.restitution_error)[order].tolist()
+    assert above.get_ydata().tolist() == (drop.restitution + drop.restitution_error)[order].tolist()
+    band, bars = ax.collections
+    ends = np.array([segment[:, 1] for segment in bars.get_segments()])
+    assert np.diff(ends).ravel() == pytest.approx(2 * drop.by_constants[order])
+    assert upper(band) == dict(zip(drop.speed, drop.models_high))
+    assert words(ax) == ["models", "ε", "without models", "constants"] and ax.get_xscale() == "log"
 
 
 def test_models_are_dashed_and_hatched(drop):

@@ -5,7 +5,7 @@ import type { CurvePoint, Encounter } from '../core/protocol';
 import { type Drawn, type Scale, draw, drawLegend } from '../drawing/plot';
 import { description } from '../inputs/lines';
 import { look, type Look, type Theme } from '../drawing/theme';
-import { type ModelPoint, endsOfBand, modelLook, modelMarks } from './model_picture';
+import { type ModelPoint, endsOfSpread, modelLook, modelMarks } from './model_picture';
 import { type Bar, type Ordinate, barOf } from './ordinate';
 
 const LEAST = 1e-7; // of 1 − ε² on a logarithmic axis
@@ -68,7 +68,7 @@ export function drawCurves(content: CurveContent, width: number, theme: Theme): 
   const { curves, current, ordinate, model } = content;
   const x = speedsOf(content);
   const y = ordinateScale(ordinate,
-    [...curves.flatMap((each) => each.points), ...(current ? [current] : []), ...endsOfBand(model)]);
+    [...curves.flatMap((each) => each.points), ...(current ? [current] : []), ...endsOfSpread(model)]);
   const unit = curves[0]?.encounter.si ? 'm/s' : 'c';
   const height = Math.min(340, Math.max(220, 0.5 * width));
   const chart = draw({

@@ -1,7 +1,7 @@
-// The curve of a model in a chart of ε against the speed: a band, and a line that is dashed as no other.
+// The curve of a model in a chart of ε against the speed: its spread, and a line that is dashed as no other.
 import * as Plot from '@observablehq/plot';
 import type { Prediction } from '../core/protocol';
-import { bandInWords, written } from '../drawing/numbers';
+import { bandInWords, withError, written } from '../drawing/numbers';
 import type { Scale } from '../drawing/plot';
 import type { Theme } from '../drawing/theme';
 import { type Ordinate, barOf } from './ordinate';
@@ -10,6 +10,8 @@ import { type Ordinate, barOf } from './ordinate';
 export interface ModelPoint {
   speed: number;
   restitution: number;
+  error: number;
+  /** of the models */
   low: number;
   high: number;
 }
@@ -18,22 +20,22 @@ export interface ModelPoint {
 export function modelPoints(predictions: readonly Prediction[]): ModelPoint[] {
   return predictions.map(({ speed, quantities }): ModelPoint => {
     const [restitution = NaN, low = NaN, high = NaN] =
-      ['restitution', 'restitution_low', 'restitution_high'].map((name) => quantities[name]?.value);
-    return { speed, restitution, low, high };
+      ['restitution', 'models_low', 'models_high'].map((name) => quantities[name]?.value);
+    return { speed, restitution, error: quantities.restitution?.error ?? 0, low, high };
   }).filter(({ restitution }) => Number.isFinite(restitution)).sort((a, b) => a.speed - b.speed);
 }
 
 /** Its line, and that of the legend. */
 export function modelLook(theme: Theme): { label: string; color: string; dash: number[] } {
-  return { label: 'model, with its band', color: theme.text, dash: [9, 4] };
+  return { label: 'model, and spread of models', color: theme.text, dash: [9, 4] };
 }
 
-/** The ends of the band, as values that the vertical axis must hold. */
-export function endsOfBand(points: readonly ModelPoint[]): { restitution: number; error: number }[] {
+/** The ends of the spread, as values that the vertical axis must hold. */
+export function endsOfSpread(points: readonly ModelPoint[]): { restitution: number; error: number }[] {
   return points.flatMap(({ low, high }) => [low, high].map((restitution) => ({ restitution, error: 0 })));
 }
 
-/** The band and the line. */
+/** The spread and the line. */
 export function modelMarks(
   points: readonly ModelPoint[], y: Scale, ordinate: Ordinate, theme: Theme,
 ): Plot.Markish[] {
@@ -52,7 +54,9 @@ export function modelMarks(
   ];
 }
 
-export function modelInWords({ speed, restitution, low, high }: ModelPoint): string {
+export function modelInWords({ speed, restitution, error, low, high }: ModelPoint): string {
+  const begin = `model, v = ${written(speed, 3)} m/s: ε = `;
+  if (!(high > low)) return begin + withError(restitution, error);
   const { value, band } = bandInWords(restitution, low, high);
-  return `model, v = ${written(speed, 3)} m/s: ε = ${value}, ${band}`;
+  return `${begin}${value}, models ${band}`;
 }

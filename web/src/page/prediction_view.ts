@@ -19,6 +19,21 @@ export function isPredicted({ encounter, friction }: Pick<Impact, 'encounter' | 
   return friction === 0 && sidesOf(encounter)[0].solid !== undefined && thresholdsOf(encounter) !== undefined;
 }
 
+/** ε with as many digits as its largest uncertainty leaves, and all three of them: none holds another. */
+export function uncertaintiesInWords({ quantities, influences }: Prediction): { value: string; uncertain: string } {
+  const { restitution, by_models: models, by_constants: constants } = quantities;
+  const [value, error] = [restitution?.value ?? NaN, restitution?.error ?? 0];
+  const varied = influences.length > 0 || (constants?.value ?? 0) > 0;
+  const all = [error, models?.value ?? 0, constants?.value ?? 0];
+  const most = Math.max(...all);
+  const [numerical, byModels, byConstants] = all.map((each) => written(each, 2));
+  return {
+    value: most > 0 ? bandInWords(value, value - most, value + most).value : significant(value, 3),
+    uncertain: `± ${numerical} numerical, ± ${byModels} spread of models, `
+      + (varied ? `± ${byConstants} constants` : 'constants taken as exact'),
+  };
+}
+
 /** A share of the energy. */
 export function shareInWords(share: number): string {
   const least = 1e-5;
@@ -37,7 +52,7 @@ export function influenceInWords({ influences: [most], quantities }: Prediction)
 /** @param longest the share of the longest bar */
 function row({ name, share, model }: Channel, dominant: string, longest: number): TemplateResult {
   return html`<tr data-model=${model} ?data-dominant=${share > 0 && name === dominant}>
-    <th scope="row">${name}<span>: ${whereTo[name]}</span></th><td>${model ? 'model' : 'certified'}</td>
+    <th scope="row">${name}<span>: ${whereTo[name]}</span></th><td>${model ? 'model' : 'computed'}</td>
     <td class="number">${shareInWords(share)}</td>
     <td class="bar" aria-hidden="true">${share > 0
       ? html`<span style="width: ${(100 * share) / longest}%"></span>` : nothing}</td>
@@ -52,17 +67,17 @@ function panelOf(encounter: Encounter, prediction: Prediction): TemplateResult {
   const { quantities, channels, dominant, warnings } = prediction;
   const number = (name: string): number => quantities[name]?.value ?? NaN;
   const height = (name: string): string => withUnit(number(name), 'm');
-  const { value, band } = bandInWords(number('restitution'), number('restitution_low'), number('restitution_high'));
+  const { value, uncertain } = uncertaintiesInWords(prediction);
   const sticks = number('restitution') === 0;
   const longest = Math.max(...channels.map(({ share }) => share));
   const { yield: yields, sticking } = thresholdsOf(encounter) ?? { yield: undefined, sticking: 0 };
   const influence = influenceInWords(prediction);
-  const elastic = quantities.elastic_restitution;
+  const alone = quantities.restitution_without_models;
   return html`
     <dl class="quantities">
-      ${pair('ε as predicted', html`<b id="predicted">${value}</b>`, html`band ${band}${sticks ? ': they stick' : ''}`)}
-      ${pair('ε of the certified channels', elastic ? withError(elastic.value, elastic.error ?? 0) : '–',
-        'without yield and adhesion, with one Q at all speeds')}
+      ${pair('ε as predicted', html`<b id="predicted">${value}</b>`, html`${uncertain}${sticks ? ': they stick' : ''}`)}
+      ${pair('ε without yield and adhesion', alone ? withError(alone.value, alone.error ?? 0) : '–',
+        'waves and the material, with one Q at all frequencies')}
       ${meetsBody(encounter) ? nothing
         : pair('Height of rebound', height('rebound_height'), `of a drop from ${height('drop_height')}`)}
       ${pair('Contact time', Number.isFinite(number('contact_time')) ? withUnit(number('contact_time'), 's') : '–')}

@@ -6,7 +6,7 @@ import { messageOf } from '../drawing/dom';
 import { documentOf } from '../inputs/document';
 import { coarse, fine } from './session';
 
-/** Speeds of a curve: a whole one has half of those of the certified ε. */
+/** Speeds of a curve: a whole one has half of those of ε without models. */
 const count = 25;
 
 /** Remembered curves beyond this number are forgotten, oldest first. */

@@ -40,7 +40,7 @@ describe.skipIf(!hasCommand)('a prediction', { timeout: 60_000 }, () => {
         else expect(typeof row[name], name).not.toBe('number'); // JSON has no infinite number
       }
       expect(Object.keys(ours!.quantities)).toEqual(expect.arrayContaining(
-        ['restitution', 'restitution_low', 'restitution_high', 'elastic_restitution', 'rebound_height']));
+        ['restitution', 'by_models', 'by_constants', 'models_low', 'models_high', 'restitution_without_models']));
       for (const { name, share } of ours!.channels) close(share, row[name], name);
       expect(ours!.channels.map(({ name, model }) => [name, model])).toEqual(
         [['ringing', false], ['radiation', false], ['material', false], ['yield', true], ['adhesion', true]]);

@@ -151,8 +151,8 @@ const answers: Answers = {
       deliver?.({
         speed, dominant: 'yield', warnings: ['yields above 0.13 m/s: a model'],
         quantities: {
-          restitution: pure(value), restitution_low: pure(0.95 * value), restitution_high: pure(1.05 * value),
-          elastic_restitution: elastic!, by_constants: pure(0.05),
+          restitution: { ...pure(value), error: 1e-6 }, by_models: pure(0.05 * value), by_constants: pure(0.05),
+          models_low: pure(0.95 * value), models_high: pure(1.05 * value), restitution_without_models: elastic!,
           drop_height: { value: speed ** 2 / 19.6, unit: 'm' }, contact_time: { value: 4e-5, unit: 's' },
           rebound_height: { value: (value * speed) ** 2 / 19.6, unit: 'm' },
         },

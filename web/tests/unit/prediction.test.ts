@@ -1,11 +1,11 @@
 // What the page shows of a prediction, and when it asks for it.
 import { describe, expect, it } from 'vitest';
 import { barOf } from '../../src/charts/ordinate';
-import { endsOfBand, modelInWords, modelPoints } from '../../src/charts/model_picture';
+import { endsOfSpread, modelInWords, modelPoints } from '../../src/charts/model_picture';
 import type { Core, Encounter, Prediction } from '../../src/core/protocol';
 import { bandInWords } from '../../src/drawing/numbers';
 import { defaults, presets } from '../../src/inputs/inputs';
-import { influenceInWords, isPredicted, shareInWords } from '../../src/page/prediction_view';
+import { influenceInWords, isPredicted, shareInWords, uncertaintiesInWords } from '../../src/page/prediction_view';
 import { createPredictions } from '../../src/page/predictions';
 import { cases } from './cases';
 
@@ -14,8 +14,8 @@ const marble = presets[1]!.encounter;
 function predicted(speed: number, restitution: number, more: Partial<Prediction> = {}): Prediction {
   const of = (value: number) => ({ value, unit: '' });
   const quantities = {
-    restitution: of(restitution), restitution_low: of(restitution - 0.1), restitution_high: of(restitution + 0.1),
-    by_constants: of(0.123),
+    restitution: { ...of(restitution), error: 2e-6 }, models_low: of(restitution - 0.1),
+    models_high: of(restitution + 0.1), by_models: of(0.1), by_constants: of(0.123),
   };
   return { speed, quantities, channels: [], dominant: 'yield', influences: [], warnings: [], ...more };
 }
@@ -40,6 +40,15 @@ describe('real materials', () => {
     expect(bandInWords(NaN, NaN, NaN).value).toBe('–');
     expect([0, 1e-7, 0.33718, NaN].map(shareInWords)).toEqual(['0 %', '< 0.001 %', '33.7 %', '– %']);
   });
+  it('have three uncertainties side by side', () => {
+    const { value, uncertain } = uncertaintiesInWords(predicted(1, 0.8135));
+    expect(value).toBe('0.81');
+    expect(uncertain).toMatch(/^± .* numerical, ± 0\.10? spread of models, ± 0\.12 constants$/);
+    const { quantities } = predicted(1, 0.8135);
+    const exact = { ...quantities, by_models: { value: 0, unit: '' }, by_constants: { value: 0, unit: '' } };
+    expect(uncertaintiesInWords(predicted(1, 0.8135, { quantities: exact })).uncertain).toContain(
+      '± 0 spread of models, constants taken as exact');
+  });
   it('name the constant that matters most', () => {
     expect(influenceInWords(predicted(1, 0.8))).toBe('');
     const influences = [{ constant: 'against.loss_time', uncertainty: 2, change: -0.02 }];
@@ -52,8 +61,8 @@ describe('the curve of the model', () => {
   it('goes from slow to fast, without what has no number', () => {
     const points = modelPoints([predicted(2, 0.6), predicted(1, 0.8), predicted(3, NaN)]);
     expect(points.map(({ speed }) => speed)).toEqual([1, 2]);
-    expect(modelInWords(points[0]!)).toBe('model, v = 1 m/s: ε = 0.80, 0.70 to 0.90');
-    expect(endsOfBand(points).map(({ restitution }) => barOf('restitution', restitution, 0).value)).toEqual(
+    expect(modelInWords(points[0]!)).toBe('model, v = 1 m/s: ε = 0.80, models 0.70 to 0.90');
+    expect(endsOfSpread(points).map(({ restitution }) => barOf('restitution', restitution, 0).value)).toEqual(
       [0.8 - 0.1, 0.8 + 0.1, 0.6 - 0.1, 0.6 + 0.1]);
   });
 });
