@@ -1,6 +1,8 @@
 """stoss predict and stoss table --predict: what a drop test of a real ball shows."""
 
 import json
+import re
+import resource
 
 import pytest
 
@@ -83,3 +85,41 @@ def test_refuses_in_one_line(stoss):
     for arguments, said in (("--adhesion 0.1", "only with --predict"), ("--predict --oblique", "only without")):
         table = stoss.run("table", f"{BALL} --material 'structural steel' --speed 1:2", arguments)
         assert table.returncode == 3 and said in table.stderr
+
+
+def test_table_has_three_uncertainties_and_fits_a_terminal(stoss):
+    ball = f"{BALL} --material 'bearing steel' --against half-space,material=glass --speed 0.001,3"
+    result = stoss.run("predict", ball)
+    assert max(map(len, result.stdout.splitlines())) <= 80, result.stdout
+    names = result.stdout.split("\n")[0].split()
+    assert names == ["speed", "restitution", "by_models", "by_constants", "rebound_height"]
+    assert result.stdout.count("modelled") == 2 and result.stdout.count("computed") == 3
+    assert "glass is taken as sound, smooth, dry and uncracked" in result.stderr
+    header = stoss.run("predict --format csv --quiet", ball).stdout
+    columns = "restitution,restitution_error,by_models,by_constants,models_low,models_high,restitution_without_models,"
+    assert columns in header and "dominant" in header
+
+
+def test_table_states_the_spread_beside_its_error(stoss):
+    wall = f"{BALL} --material aluminium --speed 0.1:1 --error 0.003"
+    header = stoss.run("table --predict", wall)
+    error = float(re.search(r"interpolation included: at most ([0-9.e-]+)", header.stdout)[1])
+    spread = float(re.search(r"differ from the coefficient by up to ([0-9.e-]+),", header.stdout)[1])
+    assert error < 0.003 < 0.1 < spread and "by up to" in header.stderr
+    made = json.loads(stoss.run("table --predict --format json --quiet", wall).stdout)
+    assert made["greatest_error"] <= error and spread == pytest.approx(made["by_models"], rel=0.1)
+    assert "differ" not in stoss.run("table --quiet", wall).stdout
+
+
+@pytest.mark.numbers
+def test_slow_balls_on_blocks_take_hardly_longer_than_without_models(stoss):
+    # Of processor time: a ladder without loss and an impact for each constant took more than twice as much.
+    ball = f"{BALL} --material glass --against half-space,material=glass --speed 1e-3 --threads 1"
+
+    def taken(*arguments):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        assert stoss.run(*arguments).returncode == 0
+        return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+    alone = min(taken("restitution --absolute 1e-5 --quiet", ball) for _ in range(2))
+    assert min(taken("predict --quiet", ball) for _ in range(2)) < 1.7 * alone
