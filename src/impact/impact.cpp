@@ -7,10 +7,10 @@
 #include "check.hpp"
 #include "contact/demands.hpp"
 #include "contact/unit_ratios.hpp"
-#include "contact/zener.hpp"
 #include "impact/collision.hpp"
 #include "impact/inputs.hpp"
 #include "impact/recommended.hpp"
+#include "impact/rest.hpp"
 #include "impact/whole_bodies.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
@@ -25,27 +25,9 @@ double steps_to_leave(const Contact& contact, const Collision& collision, double
   return std::max(0.0, (now.center + contact.extent + collision.clearance()) / (-now.velocity * step));
 }
 
-bool parts(const Collision& collision) { return !collision.in_contact() && collision.recedes(); }
-
-/// Energy that is left in the end to a ball that lies on a plate and does not leave it, at most, as a share of what it
-/// had: it hardly has more now, or has been slowed since some time before as by Zener's law, by which it stays.
-std::optional<double> left_in_the_end(const Contact& contact, const Collision& collision, double speed,
-                                      const Snapshot& before) {
-  constexpr double hardly_any = 2e-5, hardly_any_on_a_strip = 1e-3, by_law = 1e-4, close = 0.25;
-  if (parts(collision)) return std::nullopt;
-  const bool has_law = contact.second->part.mobility > 0.0;
-  const double remaining = collision.remaining();
-  if (remaining < (has_law ? hardly_any : hardly_any_on_a_strip)) return remaining;
-  if (!has_law) return std::nullopt;
-  const auto [inelasticity, unit] = zener_scales(contact, speed);
+Slowing slowing(const Collision& collision) {
   const Snapshot now = collision.snapshot();
-  const double moves = now.velocity / speed, slower = (before.velocity - now.velocity) / speed;
-  const double by_force = 0.5 * (moves + before.velocity / speed) / inelasticity * (now.time - before.time) / unit;
-  if (std::abs(slower - by_force) < close * by_force) {
-    const double force = moves / inelasticity;
-    if (zener_impact(inelasticity, {std::cbrt(force * force), moves}).restitution == 0.0) return by_law;
-  }
-  return std::nullopt;
+  return {now.time, now.velocity, collision.remaining(), collision.in_contact()};
 }
 
 /// Refuses a cutoff above which modes of a body that is known at a point are missing.
@@ -87,12 +69,10 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
     observation.observer(now);
   };
   if (observation.observer) observe();
-  std::optional<double> remaining;
-  Snapshot halfway;
+  Rest rest(contact, speed, steps);
   for (long step = 1; !collision.over(); ++step) {
     if (static_cast<double>(step) > steps) {
-      if (contact.gives_way) remaining = left_in_the_end(contact, collision, speed, halfway);
-      if (remaining || (contact.gives_way && parts(collision))) break;
+      if (rest.ends(slowing(collision))) break;
       if (contact.unbounded) throw Outlasted(static_cast<double>(step) * resolution.step, echo_time(contact));
       steps += steps_to_leave(contact, collision, resolution.step);
     }
@@ -101,7 +81,7 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
     }
     if (options.poll) options.poll();
     collision.advance();
-    if (contact.gives_way && step == std::lround(0.5 * steps)) halfway = collision.snapshot();
+    rest.watch(step, [&] { return slowing(collision); });
     if (collision.overflows()) {
       if (resolution.half_width < greatest_half_width(contact)) return std::nullopt;
       if (!collision.acts_from_afar()) {
@@ -111,12 +91,7 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
     if (observation.observer && (step % observation.every == 0 || collision.over())) observe();
   }
   Impact result = collision.result();
-  if (remaining) {
-    result.restitution = 0.0;
-    result.lost_fraction = 1.0;
-    result.remaining = *remaining;
-    result.contact_time = std::min(result.contact_time, echo_time(contact));  // it does not end
-  }
+  rest.show(result);
   whole.show(result);
   return result;
 }

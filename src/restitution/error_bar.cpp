@@ -91,7 +91,8 @@ Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const s
   // At a half-space less is in doubt, as the body alone gives back; but its quadrature leaves something out.
   constexpr double less = 0.5, quadrature = 3e-5;
   const double doubt = rebound(last) * std::max(less, returned) * lacks.doubt;
-  const double missed = contact.unbounded ? quadrature * std::abs(last.lost_fraction) : 0.0;
+  const bool returns = contact.unbounded && last.remaining == 0.0;  // a body that stays could have nothing more taken
+  const double missed = returns ? quadrature * std::abs(last.lost_fraction) : 0.0;
   return {corrected(last), std::max({missed, doubt * last.unresolved, node_error(contact, last),
                                      safety * spread(runs, order, corrected)})};
 }

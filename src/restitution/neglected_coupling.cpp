@@ -108,8 +108,10 @@ Coupling NeglectedCoupling::at(const Obliquity& obliquity) {
   const double sliding = frame.sliding(obliquity.tangential, obliquity.spin, obliquity.second_spin);
   if (sliding == 0.0) return change;
   const AlongOutcome before = ObliqueFrame::unchanged(obliquity);
-  const AlongOutcome alone = slide_->after(smooth.steps, nullptr, friction, before, sliding, poll_);
-  const AlongOutcome coupled = slide_->after(smooth.steps, &rough->steps, friction, before, sliding, poll_);
+  const auto after = [&](const std::vector<OutwardStep>* outward, double momentum) {
+    return frame.settled(slide_->after(smooth.steps, outward, friction, before, sliding, poll_), friction, momentum);
+  };
+  const AlongOutcome alone = after(nullptr, smooth.momentum), coupled = after(&rough->steps, smooth.momentum);
   change.tangential_after = coupled.tangential - alone.tangential;
   change.spin_after = coupled.spin[0] - alone.spin[0];
   change.second_spin_after = coupled.spin[1] - alone.spin[1];

@@ -102,7 +102,8 @@ void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution
 
   const double width = last.normal.resolution.half_width;
   const double points = last.normal.resolution.nodes * (width > 0.0 ? last.normal.max_half_width / width : 1.0);
-  const double open = result.before.friction * result.speed * error_of_points(plan, points);
+  const double open =
+      std::max(result.before.friction * result.speed * error_of_points(plan, points), last.unsettled_sliding);
   const double change = last.sliding_after - last.sliding;
   const auto estimate = [&](double ObliqueRun::*quantity, double before) {
     const double value = result.runs.back().*quantity;
@@ -111,14 +112,15 @@ void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution
   };
   const Obliquity& before = result.before;
   result.restitution = {last.restitution,
-                        std::max(spread(plan, result.runs, &ObliqueRun::restitution), plan.normal / (points * points))};
+                        std::max({spread(plan, result.runs, &ObliqueRun::restitution),
+                                  plan.normal / (points * points), std::sqrt(last.normal.remaining)})};
   result.sliding_after = estimate(&ObliqueRun::sliding_after, last.sliding);
   result.tangential_after = estimate(&ObliqueRun::tangential_after, before.tangential);
   result.spin_after = estimate(&ObliqueRun::spin_after, before.spin);
   result.second_spin_after = estimate(&ObliqueRun::second_spin_after, before.second_spin);
   const auto share_of_energy = [&](double ObliqueRun::*quantity) {
     const ObliqueRun& run = result.runs.back();
-    return Estimate{run.*quantity, spread(plan, result.runs, quantity) + std::abs(run.energy_error)};
+    return Estimate{run.*quantity, spread(plan, result.runs, quantity) + std::abs(run.energy_error) + last.unsettled_heat};
   };
   result.friction_loss = share_of_energy(&ObliqueRun::friction_loss);
   result.vibration = share_of_energy(&ObliqueRun::vibration);

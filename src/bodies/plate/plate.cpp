@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -104,15 +105,20 @@ Body of_branches(const Given& given, double cutoff, double duration, const Poll&
   return body;
 }
 
-/// 1/(8√(Dρh)), with D from the bending by a load of long waves, w = p/(Dk⁴).
-double mobility_of(const Given& given) {
+/// How a plate or a strip gives way by bending, with D from that by a load of long waves, w = p/(Dk⁴).
+void give_way(const Given& given, BodyPart& part) {
   const Lamina plate = lamina(given.contour, sheets_of(given, 0.0));
   double mass = 0.0;
   for (const Sheet& sheet : plate.sheets) mass += sheet.thickness * sheet.density;
   const double wave_number = 1e-3 / plate.thickness;
   const double stiffness =
       plate.weight(wave_number) / (std::pow(wave_number, 4) * plane_compliance(plate, wave_number).radial);
-  return 1.0 / (8.0 * std::sqrt(stiffness * mass));
+  part.gives_way = true;
+  if (given.contour == Contour::ball) {
+    part.mobility = 1.0 / (8.0 * std::sqrt(stiffness * mass));
+  } else {
+    part.giving = 1.0 / (2.0 * mass * std::sqrt(2.0 * std::numbers::pi * std::sqrt(stiffness / mass)));
+  }
 }
 
 Body made(const Given& given, double cutoff, double duration, const Poll& poll) {
@@ -123,8 +129,7 @@ Body made(const Given& given, double cutoff, double duration, const Poll& poll) 
   Body body = is_thick(given, duration) ? without_end(given, cutoff, duration, poll)
                                         : of_branches(given, cutoff, duration, poll);
   body.name = name_of(given);
-  body.part.gives_way = !std::isinf(given.layers.back().thickness);
-  if (body.part.gives_way && given.contour == Contour::ball) body.part.mobility = mobility_of(given);
+  if (!std::isinf(given.layers.back().thickness)) give_way(given, body.part);
   body.near_side = [given](double longest, double limit, const Poll& heed) {
     return made(given, limit, longest, heed);
   };

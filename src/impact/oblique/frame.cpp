@@ -20,7 +20,8 @@ ObliqueFrame::ObliqueFrame(const Contact& contact, double speed_towards, const I
     : speed(speed_towards),
       mass(contact.whole_mass),
       mass_along(stoss::mass_along(contact)),
-      normal_energy(0.5 * mass * speed * speed) {
+      normal_energy(0.5 * mass * speed * speed),
+      part_of_second(contact.second != nullptr && (is_unbounded(*contact.second) || contact.second->part.size < 1.0)) {
   for (int number = 0; number < 2; ++number) {
     const auto body = body_of(contact, number);
     if (body == nullptr) break;
@@ -91,6 +92,28 @@ AlongOutcome ObliqueFrame::unchanged(const Obliquity& obliquity) {
   return same;
 }
 
+double ObliqueFrame::mobility_of_sliding() const {
+  double mobility = 1.0 / mass_along;
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (inertia[k] > 0.0) mobility += radius[k] * radius[k] / inertia[k];
+  }
+  return mobility;
+}
+
+AlongOutcome ObliqueFrame::settled(AlongOutcome now, double friction, double momentum) const {
+  const double slides = sliding(now.tangential, now.spin[0], now.spin[1]), mobility = mobility_of_sliding();
+  const double most = friction * momentum, impulse = std::clamp(slides / mobility, -most, most);
+  now.tangential -= impulse / mass_along;
+  now.impulse += impulse;
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (inertia[k] == 0.0) continue;
+    now.spin[k] -= impulse * radius[k] / inertia[k];
+    now.moment[k] += impulse * radius[k];
+  }
+  now.friction += impulse * (slides - 0.5 * impulse * mobility);  // the impulse times the mean velocity of sliding
+  return now;
+}
+
 ObliqueSnapshot ObliqueFrame::instant(double time, const Obliquity& before, double velocity, const AlongOutcome& along,
                                       double elastic) const {
   const double initial = initial_energy(before);
@@ -109,8 +132,20 @@ ObliqueSnapshot ObliqueFrame::instant(double time, const Obliquity& before, doub
   return now;
 }
 
-ObliqueImpact ObliqueFrame::joined(Impact normal, const Obliquity& before, const AlongOutcome& after) const {
+ObliqueImpact ObliqueFrame::joined(Impact normal, const Obliquity& before, AlongOutcome after, double momentum) const {
   ObliqueImpact result;
+  if (normal.remaining > 0.0) {
+    const double slides = sliding(after.tangential, after.spin[0], after.spin[1]), mobility = mobility_of_sliding();
+    after = settled(after, before.friction, momentum);
+    // Of Zener's law beside a contact of Mindlin's stiffness: what sticks in the end swings by so much as it parts.
+    constexpr double swing = 1.5;
+    result.unsettled_sliding = swing * before.friction * std::sqrt(normal.remaining) * speed * mass * mobility;
+    const double after_rest = sliding(after.tangential, after.spin[0], after.spin[1]);
+    // What sticks may swing with what it slid with, or with what friction lets it, and has it from the heat.
+    const bool sticks = std::abs(after_rest) < result.unsettled_sliding;
+    const double swings = std::min(std::abs(slides), before.friction * momentum / mass);
+    if (sticks) result.unsettled_heat = 0.5 * swings * swings / mobility / initial_energy(before);
+  }
   result.before = before;
   result.restitution = normal.restitution;
   result.sliding = sliding(before.tangential, before.spin, before.second_spin);
@@ -135,8 +170,10 @@ ObliqueImpact ObliqueFrame::joined(Impact normal, const Obliquity& before, const
 
   const EnergyLedger& own = normal.energy;
   const double share = normal_energy / initial;
-  double second = 0.0;
-  for (const ModeEnergy& mode : own.modes) second += mode.body == 1 ? mode.after : 0.0;
+  double of_modes[] = {0.0, 0.0};
+  for (const ModeEnergy& mode : own.modes) of_modes[mode.body] += mode.after;
+  // What is not in modes is the rest of a body of which a part is there.
+  const double second = part_of_second ? own.vibration - of_modes[0] : of_modes[1];
   ObliqueLedger& ledger = result.energy;
   ledger.translation = share * own.translation;
   ledger.across = 0.5 * mass_along * after.tangential * after.tangential / initial;

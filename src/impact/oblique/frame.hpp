@@ -34,6 +34,7 @@ struct ObliqueFrame {
   std::array<double, 2> inertia{};  ///< I of each body; 0: it does not turn
   std::array<double, 2> radius{};   ///< R of each body
   double normal_energy;             ///< at the start, of the motion along the normal and of the vibration
+  bool part_of_second;              ///< only a part of the second body is there, as of a plate
 
   ObliqueFrame(const Contact& contact, double speed, const ImpactOptions& options);
 
@@ -51,6 +52,14 @@ struct ObliqueFrame {
   /// The motion along the surface as it was, as without friction.
   [[nodiscard]] static AlongOutcome unchanged(const Obliquity& obliquity);
 
+  /// The motion along the surface of a body that stays on what gives way, in the end. While that takes the rest of its
+  /// momentum, friction takes μ times as much, or only what ends the sliding of the rigid bodies.
+  /// @param momentum along the normal that is left
+  [[nodiscard]] AlongOutcome settled(AlongOutcome now, double friction, double momentum) const;
+
+  /// Change of s by an impulse along the surface.
+  [[nodiscard]] double mobility_of_sliding() const;
+
   /// Velocities and energies of an instant, and the time.
   /// @param velocity of whole bodies along the normal
   /// @param along    the motion along the surface
@@ -59,7 +68,9 @@ struct ObliqueFrame {
                                         const AlongOutcome& along, double elastic) const;
 
   /// Both motions as one impact, where they do not act on each other.
-  [[nodiscard]] ObliqueImpact joined(Impact normal, const Obliquity& before, const AlongOutcome& after) const;
+  /// @param momentum along the normal that was left to a body that stays, before it came to rest
+  [[nodiscard]] ObliqueImpact joined(Impact normal, const Obliquity& before, AlongOutcome after,
+                                     double momentum = 0.0) const;
 };
 
 /// Arm of friction at each point about the centre of each body, in units of the first; 0 of one that does not turn.

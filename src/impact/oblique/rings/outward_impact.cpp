@@ -14,6 +14,7 @@
 #include "contact/touch.hpp"
 #include "impact/oblique/parity_block.hpp"
 #include "impact/recommended.hpp"
+#include "impact/rest.hpp"
 #include "impact/whole_bodies.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
@@ -58,6 +59,7 @@ class OutwardCollision {
   }
 
   void advance() {
+    ++moved_;
     velocity_ -= total_ * step_ / contact_.mass;
     compression_ += velocity_ * step_;
     block_.modes.advance();
@@ -89,17 +91,25 @@ class OutwardCollision {
     return compression_ + reach + moved_x_.cwiseAbs().maxCoeff() < -range_;
   }
 
+  /// The motion along the normal at present.
+  [[nodiscard]] Slowing slowing() const {
+    return {static_cast<double>(moved_) * step_, synchronous(), 1.0, total_ > 0.0};
+  }
+
   /// Whether the bodies part at present.
   [[nodiscard]] bool parts() const { return total_ <= 0.0 && velocity_ < 0.0; }
 
   [[nodiscard]] double flight() const { return std::max(0.0, -compression_) + 4.0 * std::max(range_, 0.0); }
 
-  [[nodiscard]] OutwardImpact result() {
+  /// @param rest of a ball that may stay
+  [[nodiscard]] OutwardImpact result(const Rest& rest) {
     const double energy = 0.5 * contact_.mass * speed_ * speed_, velocity = synchronous();
     impact_.steps.resize(std::min(steps_with_force_ + 1, impact_.steps.size()));  // with the rest of the last kick
-    impact_.restitution = -velocity / speed_;
+    impact_.restitution = rest.stays() ? 0.0 : -velocity / speed_;
+    impact_.momentum = rest.stays() ? contact_.mass * velocity : 0.0;
     impact_.friction_loss = heat_ / energy;
     impact_.vibration = (block_.vibration(0) + block_.vibration(1)) / energy;
+    if (rest.stays()) impact_.vibration += velocity * velocity / (speed_ * speed_);
     impact_.stored = block_.residuals.stored() / energy;
     const double lost = block_.residuals.dissipated()[0] + block_.residuals.dissipated()[1];
     const double edge = lossy_ ? edge_work_ : 0.0;
@@ -151,6 +161,7 @@ class OutwardCollision {
   double work_ = 0.0, edge_work_ = 0.0, heat_ = 0.0;
   OutwardImpact impact_;
   std::size_t steps_with_force_ = 0;
+  long moved_ = 0;  // steps
 };
 
 /// One run; empty if the contact outgrew the grid.
@@ -159,19 +170,21 @@ std::optional<OutwardImpact> run_outward(const Contact& contact, const Contact& 
   const ContactGrid grid = contact_grid(contact, resolution.half_width, resolution.nodes);
   OutwardCollision collision(contact, outward, speed, friction, resolution, grid, poll);
   const double most = (longest_duration(contact) + collision.flight() / speed) / resolution.step;
+  Rest rest(contact, speed, most);
   for (long step = 1; !collision.over(); ++step) {
     if (static_cast<double>(step) > most) {
-      if (contact.gives_way && collision.parts()) break;
+      if (rest.ends(collision.slowing())) break;
       if (contact.unbounded) throw Outlasted(static_cast<double>(step) * resolution.step, echo_time(contact));
       throw NotConverged("impact: the contact has not ended after " + std::to_string(step) + " steps");
     }
     if (poll) poll();
     collision.advance();
+    rest.watch(step, [&] { return collision.slowing(); });
     if (!collision.overflows()) continue;
     if (resolution.half_width < greatest_half_width(contact)) return std::nullopt;
     throw NotConverged("impact: the contact spreads over the whole body (speed too high for this model)");
   }
-  return collision.result();
+  return collision.result(rest);
 }
 
 }  // namespace
@@ -182,7 +195,7 @@ OutwardImpact outward_impact(const Contact& contact, const Contact& outward, dou
   for (;; fixed = widened(contact, fixed)) {
     std::optional<OutwardImpact> result = run_outward(contact, outward, speed, friction, fixed, poll);
     if (!result) continue;
-    const double lasted = static_cast<double>(result->steps.size()) * fixed.step;
+    const double lasted = result->momentum > 0.0 ? 0.0 : static_cast<double>(result->steps.size()) * fixed.step;
     if (lasted > echo_time(contact)) throw Outlasted(lasted, echo_time(contact));
     return std::move(*result);
   }

@@ -20,6 +20,7 @@ struct OutwardStep {
 /// A central impact of balls whose surfaces rub each other as pressure moves them inward, then lets them go.
 struct OutwardImpact {
   double restitution = 0.0;    ///< ε_n
+  double momentum = 0.0;       ///< along the normal that is left to a ball that stays on a plate, and goes into it
   double friction_loss = 0.0;  ///< share of the initial energy
   double vibration = 0.0;
   double unresolved = 0.0;

@@ -241,7 +241,8 @@ ObliqueImpact Slides::after(const Obliquity& obliquity, const Poll& poll, const 
   }
   const AlongMotion end = times(friction, slide.motion());
   film.fly(course.impact.steps, end);
-  ObliqueImpact result = course.frame.joined(course.impact, obliquity, end.outcome);
+  const double momentum = course.mass * course.impact.final_state.velocity;
+  ObliqueImpact result = course.frame.joined(course.impact, obliquity, end.outcome, momentum);
   require_resolved(result);
   return result;
 }

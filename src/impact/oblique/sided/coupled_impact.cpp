@@ -9,6 +9,7 @@
 #include "impact/inputs.hpp"
 #include "impact/oblique/sided/oblique_collision.hpp"
 #include "impact/recommended.hpp"
+#include "impact/rest.hpp"
 #include "impact/whole_bodies.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
@@ -26,9 +27,10 @@ std::optional<ObliqueImpact> run_coupled(const Contact& contact, const std::vect
   const double flight = std::max(0.0, -collision.compression()) + 4.0 * collision.clearance();
   double steps = (longest_duration(contact) + flight / frame.speed) / resolution.step;
   if (observation.observer) collision.show(observation.observer);
+  Rest rest(contact, frame.speed, steps);
   for (long step = 1; !collision.over(); ++step) {
     if (static_cast<double>(step) > steps) {
-      if (contact.gives_way && collision.parts()) break;
+      if (rest.ends(collision.slowing())) break;
       if (contact.unbounded) throw Outlasted(static_cast<double>(step) * resolution.step, echo_time(contact));
       steps += collision.steps_to_leave();
     }
@@ -37,6 +39,7 @@ std::optional<ObliqueImpact> run_coupled(const Contact& contact, const std::vect
     }
     if (options.poll) options.poll();
     collision.advance();
+    rest.watch(step, [&] { return collision.slowing(); });
     if (collision.overflows()) {
       if (resolution.half_width < greatest_half_width(contact)) return std::nullopt;
       throw NotConverged("impact: the contact spreads over the whole body (speed too high for this model)");
@@ -45,7 +48,7 @@ std::optional<ObliqueImpact> run_coupled(const Contact& contact, const std::vect
       collision.show(observation.observer);
     }
   }
-  return collision.result();
+  return collision.result(rest);
 }
 
 }  // namespace

@@ -160,7 +160,7 @@ double ObliqueCollision::dissipated(int body) const {
   return even_.dissipated(body) + odd_.dissipated(body) + (lossy_ ? of_edge * edge_work_ : 0.0);
 }
 
-ObliqueImpact ObliqueCollision::result() const {
+ObliqueImpact ObliqueCollision::result(const Rest& rest) const {
   Impact normal;
   normal.speed = frame_.speed;
   normal.restitution = -rigid_.whole_velocity() / frame_.speed;
@@ -171,8 +171,9 @@ ObliqueImpact ObliqueCollision::result() const {
   normal.max_force *= contact_.first->mass / whole_mass(*contact_.first);
   normal.energy.translation =
       0.5 * frame_.mass * rigid_.whole_velocity() * rigid_.whole_velocity() / frame_.normal_energy;
+  rest.show(normal);
 
-  ObliqueImpact result = frame_.joined(std::move(normal), obliquity_, outcome());
+  ObliqueImpact result = frame_.joined(std::move(normal), obliquity_, outcome(), frame_.mass * rigid_.whole_velocity());
   show_ledger(result);
   return result;
 }

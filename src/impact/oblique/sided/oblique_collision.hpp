@@ -12,6 +12,7 @@
 #include "impact/oblique/frame.hpp"
 #include "impact/oblique/parity_block.hpp"
 #include "impact/oblique/sided/rigid_motion.hpp"
+#include "impact/rest.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/impact/oblique.hpp"
 
@@ -35,8 +36,8 @@ class ObliqueCollision {
   /// The contact has reached the end of the grid, so that the result is void.
   [[nodiscard]] bool overflows() const { return nodes_.extent() == points_.count; }
 
-  /// The bodies part at present.
-  [[nodiscard]] bool parts() const;
+  /// The motion along the normal at present.
+  [[nodiscard]] Slowing slowing() const { return {history_.time(), rigid_.velocity(), 1.0, history_.in_contact()}; }
 
   /// They recede and can touch no more.
   [[nodiscard]] bool over();
@@ -53,13 +54,14 @@ class ObliqueCollision {
   /// Shows the instant.
   void show(const ObliqueImpactObserver& observer);
 
-  /// The impact so far; body, wall and resolution are left to the caller.
-  [[nodiscard]] ObliqueImpact result() const;
+  /// The impact so far; body, wall and resolution are left to the caller. @param rest of a body that may stay
+  [[nodiscard]] ObliqueImpact result(const Rest& rest) const;
 
  private:
   void respond();
   void answer();
   void record();
+  [[nodiscard]] bool parts() const;
   [[nodiscard]] double reach() const;
   [[nodiscard]] double normal_motion() const { return 0.5 * contact_.mass * rigid_.velocity() * rigid_.velocity(); }
   [[nodiscard]] double dissipated(int body) const;
