@@ -112,15 +112,16 @@ void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution
   };
   const Obliquity& before = result.before;
   result.restitution = {last.restitution,
-                        std::max({spread(plan, result.runs, &ObliqueRun::restitution),
-                                  plan.normal / (points * points), std::sqrt(last.normal.remaining)})};
+                        std::max({spread(plan, result.runs, &ObliqueRun::restitution), plan.normal / (points * points),
+                                  std::sqrt(last.normal.remaining)})};
   result.sliding_after = estimate(&ObliqueRun::sliding_after, last.sliding);
   result.tangential_after = estimate(&ObliqueRun::tangential_after, before.tangential);
   result.spin_after = estimate(&ObliqueRun::spin_after, before.spin);
   result.second_spin_after = estimate(&ObliqueRun::second_spin_after, before.second_spin);
   const auto share_of_energy = [&](double ObliqueRun::*quantity) {
     const ObliqueRun& run = result.runs.back();
-    return Estimate{run.*quantity, spread(plan, result.runs, quantity) + std::abs(run.energy_error) + last.unsettled_heat};
+    return Estimate{run.*quantity,
+                    spread(plan, result.runs, quantity) + std::abs(run.energy_error) + last.unsettled_heat};
   };
   result.friction_loss = share_of_energy(&ObliqueRun::friction_loss);
   result.vibration = share_of_energy(&ObliqueRun::vibration);

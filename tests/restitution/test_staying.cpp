@@ -35,10 +35,14 @@ bool expect_mechanics(const RefinableContact& contact, double speed, const Obliq
   const double open = found.tangential_after.error + friction * found.restitution.error * speed + 1e-9 * speed;
   EXPECT_TRUE(std::isfinite(found.sliding_after.value)) << found.reason;
   EXPECT_LE(std::abs(impulse), most + open) << "Coulomb";
-  EXPECT_GE(found.sliding * found.sliding_after.value, -std::abs(found.sliding) * 0.5 * friction * speed) << "swing";
-  if (std::abs(found.sliding_after.value) > found.sliding_after.error + 0.3 * friction * speed) {
+  // What the spring of the contact throws back as the ball parts slides the other way; a ball that stays does not.
+  const double forward = std::copysign(1.0, found.sliding) * found.sliding_after.value;
+  if (forward > (0.3 + 2.0 * found.restitution.value) * friction * speed) {
     EXPECT_NEAR(std::abs(impulse), most, open) << "gross sliding";
-    EXPECT_GT(found.sliding * found.sliding_after.value, 0.0) << "sliding on";
+  }
+  if (found.restitution.value == 0.0) {
+    EXPECT_GE(forward, -found.sliding_after.error);
+    EXPECT_NEAR(forward, std::max(0.0, std::abs(found.sliding) - 3.5 * friction * speed), found.sliding_after.error);
   }
   // I ΔΩ = m Δv R, but for the arm of friction beside the foremost point.
   EXPECT_NEAR(0.4 * (found.spin_after.value - found.before.spin), -impulse, width * width * std::abs(impulse))
@@ -100,12 +104,13 @@ TEST(StayingBall, ObeysMechanicsOnFiftyThinPlates) {
     const double speed = std::exp(uniform(std::log(1e-5), std::log(1e-2))), friction = uniform(0.05, 0.6);
     Obliquity before{.tangential = uniform(-6.0, 6.0) * friction * speed, .friction = friction};
     before.spin = uniform(-2.0, 2.0) * friction * speed;
-    SCOPED_TRACE("plate " + std::to_string(k) + ": h = " + std::to_string(solid.thickness) + ", E = " +
-                 std::to_string(solid.young) + ", rho = " + std::to_string(solid.density) + ", v = " +
-                 std::to_string(speed) + ", mu = " + std::to_string(friction) + ", s = " +
-                 std::to_string((before.tangential + before.spin) / (friction * speed)) + " mu v");
+    SCOPED_TRACE("plate " + std::to_string(k) + ": h = " + std::to_string(solid.thickness) +
+                 ", E = " + std::to_string(solid.young) + ", rho = " + std::to_string(solid.density) +
+                 ", v = " + std::to_string(speed) + ", mu = " + std::to_string(friction) +
+                 ", s = " + std::to_string((before.tangential + before.spin) / (friction * speed)) + " mu v");
     const RefinableContact contact = ball_on(solid);
-    const ObliqueRestitution found = oblique_restitution(contact, speed, std::vector{before}, {.tolerance = 0.05}).front();
+    const ObliqueRestitution found =
+        oblique_restitution(contact, speed, std::vector{before}, {.tolerance = 0.05}).front();
     stayed += expect_mechanics(contact, speed, found) ? 1 : 0;
   }
   EXPECT_GT(stayed, 15);
@@ -117,7 +122,7 @@ TEST(StayingBall, ComesToStayWithoutAJump) {
   constexpr double speed = 1e-4, friction = 0.2;
   double sliding = 0.0, error = 0.0, lost = 0.0, lost_error = 0.0;
   int stays = 0, parts = 0;
-  for (double thickness = 0.22; thickness < 0.29; thickness += 0.01) {
+  for (double thickness = 0.18; thickness < 0.26; thickness += 0.01) {
     SCOPED_TRACE(thickness);
     const RefinableContact contact = ball_on(Plate{.thickness = thickness, .poisson = 0.3});
     const ObliqueRestitution found =
@@ -141,21 +146,28 @@ TEST(StayingBall, ComesToStayWithoutAJump) {
 // again. Of V = v eˣ erfc √x runs of 60 and 240 R/c are within 1 %.
 TEST(StayingDisk, HasOneAnswerOnThinStripsWithFrictionAndWithout) {
   for (const double thickness : {0.1, 0.2, 0.4, 0.6, 0.8, 1.0, 1.2}) {
-    SCOPED_TRACE(thickness);
     for (const double speed : {1e-4, 0.01}) {
+      if (thickness == 1.2 && speed < 0.01) continue;  // it parts
+      SCOPED_TRACE(std::to_string(thickness) + ", v = " + std::to_string(speed));
       const RefinableContact contact(disk(0.3), strip(Strip{.thickness = thickness, .poisson = 0.3}));
       const Restitution found = restitution(contact, speed);
       EXPECT_EQ(found.restitution.value, 0.0);
       EXPECT_LT(found.restitution.error, 0.01);
-      EXPECT_NEAR(found.finest.energy.translation, 0.0, 1e-12);
+      EXPECT_EQ(found.finest.energy.translation, 0.0);
       for (const double sliding : {1.0, 8.0}) {
         const Obliquity before{.tangential = sliding * 0.2 * speed, .friction = 0.2};
         const ObliqueRestitution rough =
             oblique_restitution(contact, speed, std::vector{before}, {.tolerance = 0.05}).front();
         ASSERT_TRUE(std::isfinite(rough.sliding_after.value)) << rough.reason;
+        EXPECT_TRUE(rough.converged);
         EXPECT_EQ(rough.restitution.value, 0.0);
-        EXPECT_NEAR(rough.sliding_after.value, std::max(sliding - 3.0, 0.0) * 0.2 * speed, 0.1 * 0.2 * speed);
         EXPECT_NEAR(sum(rough.finest.energy), 1.0, 2e-3);
+        // I/mR² of a disk is 1/2. One that has lost the strip hardly meets it again, and turns on.
+        const double error = rough.sliding_after.error + 1e-3 * 0.2 * speed;
+        if (sliding > 3.0 || thickness < 1.0) {
+          EXPECT_NEAR(rough.sliding_after.value, std::max(sliding - 3.0, 0.0) * 0.2 * speed, error);
+        }
+        EXPECT_LE(std::abs(before.tangential - rough.tangential_after.value), (1.0 + 1e-6) * 0.2 * speed);
       }
     }
   }

@@ -85,7 +85,7 @@ struct BodyPart {
   double echo = std::numeric_limits<double>::infinity();  ///< after which the part is no longer like the body, R/c
   bool gives_way = false;  ///< an impulse moves its surface away for good, as that of a plate
   double mobility = 0.0;   ///< speed over a force that acts for long, where that has a limit: 1/(8√(Dρh)) of a plate
-  double giving = 0.0;     ///< speed times √time over an impulse, long after it: 1/(2ρh √(2π√(D/ρh))) of a strip
+  double giving = 0.0;  ///< speed times √time over an impulse, long after it: 1/(2ρh √(2π√(D/ρh))) of a strip
 };
 
 struct Body;

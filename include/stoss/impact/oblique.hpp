@@ -61,8 +61,8 @@ struct ObliqueImpact {
   double tangential_after = 0.0;        ///< v_t′, c
   double spin_after = 0.0;              ///< Ω₁′, c/R
   double second_spin_after = 0.0;       ///< Ω₂′, c/R of the first
-  double unsettled_sliding = 0.0;  ///< by how much s′ of a body that stays on a plate may be off, c; else 0
-  double unsettled_heat = 0.0;     ///< the same of `friction` in the ledger, which then is vibration
+  double unsettled_sliding = 0.0;       ///< by how much s′ of a body that stays on a plate may be off, c; else 0
+  double unsettled_heat = 0.0;          ///< the same of `friction` in the ledger, which then is vibration
   double impulse = 0.0;                 ///< ∫ Σq dt of friction over the reduced mass, c: the change of v_t
   ObliqueLedger energy;
   double momentum_error = 0.0;          ///< |impulse + change of momentum| along the surface / (μ_r (v_n + |s|))
