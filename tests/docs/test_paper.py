@@ -96,7 +96,7 @@ def test_the_measured_losses_are_those_of_the_page():
     measured, words = page("docs/measured.md")
     loss = re.search(r"^\| alumina.*\| ([\d.]+) \|$", measured, re.MULTILINE)[1]
     assert f"lose {loss} times the predicted energy" in WORDS
-    assert "by a factor of ten to fifty in the loss" in words and "loses ten to fifty times as much" in WORDS
+    assert "by a factor of twenty to seventy in the loss" in words and "loses twenty to seventy times as much" in WORDS
 
 
 def test_the_caption_says_what_the_readme_says_of_the_figure():

@@ -39,7 +39,7 @@ def drop():
 
 def test_a_number_gives_numbers(drop):
     assert all(type(getattr(drop, name)) is float for name in (*NUMBERS, "contact_time"))
-    assert drop.dominant == "material" and isinstance(drop.warnings, tuple)
+    assert drop.dominant == "radiation" and isinstance(drop.warnings, tuple)
     assert all(isinstance(each, stoss.Influence) for each in drop.influences)
     with pytest.raises(TypeError, match="no len"):
         len(drop)
@@ -227,7 +227,7 @@ def test_nothing_to_warn_of():
 def test_the_line_says_the_essential(drop, grains):
     of = "Prediction(Sphere(poisson=0.3, radius=0.005 m) against HalfSpace(poisson=0.22), speed=0.1 m/s: restitution "
     assert repr(drop).startswith(of)
-    assert ", most to material)" in repr(drop)
+    assert ", most to radiation)" in repr(drop)
     assert "4 values" in repr(grains) and "against 'same'" in repr(grains) and "0.1 to 100 m/s" in repr(grains)
 
 
