@@ -81,8 +81,8 @@ void add_fit(CLI::App& app) {
   add_choice(command, "--program", arguments.program,
              {"lammps", "liggghts", "yade", "mercurydpm", "chrono", "mujoco", "acutrace", "aspherix"},
              "The law as this program integrates it, with its lines", "NAME", "Output");
-  add(command, "-o,--output", arguments.output, "File for these lines too; it appears whole or not at all", "FILE",
-      "Output");
+  add(command, "-o,--output", arguments.output, "Write to FILE instead of stdout; it appears whole or not at all",
+      "FILE", "Output");
   add_threads(command, arguments.threads);
 }
 

@@ -11,7 +11,12 @@ namespace {
 /// What Python runs.
 std::string program() {
   return fmt::format(
-      "import sys\n"
+      "import os, signal, sys\n"
+      "def end(*_):\n"
+      "    try: os.write(2, b'stoss: error: interrupted\\n')\n"
+      "    finally: os._exit(130)\n"
+      "if signal.getsignal(signal.SIGINT) is signal.default_int_handler: signal.signal(signal.SIGINT, end)\n"
+      "signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])\n"
       "sys.path = [each for each in sys.path if each]\n"
       "try:\n"
       "    import stoss\n"
@@ -20,10 +25,11 @@ std::string program() {
       "except ImportError as error:\n"
       "    got, allowed = 'none', 'the package stoss for python3 (make python; put its bin into PATH): ' + str(error)\n"
       "else:\n"
-      "    if got == allowed: sys.exit(command.main(sys.argv[1:]))\n"
-      "print(f'stoss: error: Python package: got {{got}}, allowed {{allowed}}', file=sys.stderr)\n"
-      "sys.exit(4)\n",
-      version());
+      "    if got == allowed: sys.exit(command.run_alone(sys.argv[1:], {1}))\n"
+      "try: os.write(2, f'stoss: error: Python package: got {{got}}, allowed {{allowed}}\\n'.encode('utf-8', "
+      "'replace'))\n"
+      "finally: os._exit(4)\n",
+      version(), pipe_ends() ? "True" : "False");
 }
 
 }  // namespace

@@ -16,7 +16,11 @@ void prepare_streams();
 /// Writes on stderr as it is, without a line end. If that cannot be written, it is lost and nothing else changes.
 void show(std::string_view text) noexcept;
 
-/// Becomes the program that these words call, the first of which is its name.
+/// Whether a stdout that nobody reads any more ends this process, as is usual.
+[[nodiscard]] bool pipe_ends();
+
+/// Becomes the program that these words call, the first of which is its name: that of PATH or, where PATH has none,
+/// beside this one or where systems have it. It begins with Ctrl-C held back, until it can heed it.
 /// @throws OutputError if it cannot be run
 [[noreturn]] void become(const std::vector<std::string>& words);
 

@@ -49,6 +49,10 @@ written.
 ================================  ==================================================================
 """
 
+from stoss import _starting
+
+_starting.end_quietly()  # before what takes long
+
 import importlib
 
 from stoss import quasistatic

@@ -18,7 +18,7 @@ def main() -> int:
     from stoss import _commands
 
     if sys.argv[1:2] and sys.argv[1] in _commands.MODULES:
-        return _commands.main(sys.argv[1:])
+        return _commands.run_alone(sys.argv[1:])
     places = os.pathsep.join([sysconfig.get_path("scripts"), os.environ.get("PATH", os.defpath)])
     command = shutil.which("stoss", path=places)
     if command is None:

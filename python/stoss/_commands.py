@@ -7,10 +7,16 @@ output, 130 interrupted.
 from __future__ import annotations
 
 import argparse
+import contextlib
+import errno
 import importlib
+import io
+import os
+import signal
 import sys
-from typing import Callable, Mapping, NoReturn, Sequence
+from typing import Any, Callable, Mapping, NoReturn, Sequence
 
+from stoss import _starting
 from stoss._errors import InvalidInput, NotConverged
 
 MODULES: Mapping[str, str] = {
@@ -25,6 +31,10 @@ class Usage(Exception):
     """Words that are no command."""
 
 
+class StdoutError(Exception):
+    """Stdout cannot be written; `args` are the number of the error and its words."""
+
+
 class Parser(argparse.ArgumentParser):
     """One that leaves what is wrong to us."""
 
@@ -37,15 +47,69 @@ def main(words: Sequence[str]) -> int:
     return int(importlib.import_module(MODULES[words[0]]).main(words))
 
 
+def run_alone(words: Sequence[str], pipe: bool = True) -> int:
+    """Run one of them in a process of its own. Returns the exit code.
+
+    Text is UTF-8, as that of the command, whatever the locale is. `pipe`: whether a stdout that nobody
+    reads any more ends the process, as it ends others.
+    """
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # None where the descriptor is closed
+            stream.reconfigure(encoding="utf-8", errors="surrogateescape")  # bytes of arguments come out as they were
+    code = 130
+    try:
+        code = main(words)
+    except StdoutError as error:
+        if error.args[0] == errno.EPIPE and pipe:
+            signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+            os.kill(os.getpid(), signal.SIGPIPE)
+        code = 4 if error.args[0] == errno.EPIPE else _complain(4, f"output: cannot write to stdout: {error.args[1]}")
+    except KeyboardInterrupt:  # while something else was said
+        pass
+    finally:
+        _starting.ignore()
+    return code
+
+
+def put(text: str) -> None:
+    """Write a line on stdout, now. Raises StdoutError."""
+    try:
+        if sys.stdout is None:
+            raise OSError(errno.EBADF, os.strerror(errno.EBADF))
+        print(text, flush=True)
+    except OSError as error:
+        _forget(sys.stdout)
+        raise StdoutError(error.errno, error.strerror) from None
+
+
+def say(text: str, end: str = "\n") -> None:
+    """Write a line on stderr. If it cannot be written, it is lost and nothing else changes."""
+    if sys.stderr is None:  # print would take stdout
+        return
+    try:
+        print(text, end=end, file=sys.stderr, flush=True)
+    except (OSError, ValueError):
+        _forget(sys.stderr)
+
+
+def _forget(stream: Any) -> None:
+    """Let what a stream has not written go nowhere, where Python would complain of it at the end."""
+    with contextlib.suppress(OSError, ValueError, AttributeError):
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, stream.fileno())
+        os.close(nowhere)
+
+
 def guarded(run: Callable[[], int], interrupted: str) -> int:
     """What `run` returns, or the exit code of what went wrong, which one line says."""
     try:
+        _starting.heed()
         return run()
     except Usage as error:
         return _complain(2, str(error))
     except NotConverged as error:
         return _complain(1, str(error))
-    except InvalidInput as error:
+    except (InvalidInput, UnicodeError) as error:
         return _complain(3, str(error))
     except (OSError, ImportError) as error:
         text = f"'{error.filename}': {error.strerror}" if isinstance(error, OSError) and error.filename else str(error)
@@ -56,5 +120,5 @@ def guarded(run: Callable[[], int], interrupted: str) -> int:
 
 def _complain(code: int, text: str) -> int:
     line = " ".join(text.split())
-    print(f"stoss: error: {line if len(line) <= 500 else line[:500] + '...'}", file=sys.stderr)
+    say(f"stoss: error: {line if len(line) <= 500 else line[:500] + '...'}")
     return code

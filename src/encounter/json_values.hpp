@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "stoss/encounter/visible.hpp"
@@ -20,17 +21,24 @@ using Json = nlohmann::ordered_json;
   throw InvalidInput(where + ": got " + visible(shortened(got.dump())) + ", allowed " + allowed);
 }
 
-/// A document, nested so far only that what goes through it by recursion has room on any stack.
+/// A document without a key that is twice in an object, where readers differ in which of both counts, and nested so
+/// far only that what goes through it by recursion has room on any stack.
 inline Json parsed(const std::string& where, std::string_view text) {
   constexpr int deepest = 32;
-  const auto is_shallow = [&where](int depth, Json::parse_event_t, const Json&) {
+  std::vector<std::unordered_set<std::string>> keys;  // of the objects that are open
+  const auto is_read = [&](int depth, Json::parse_event_t event, const Json& part) {
     if (depth > deepest) {
       throw InvalidInput(where + ": got values nested more than " + std::to_string(deepest) + " deep, allowed fewer");
+    }
+    if (event == Json::parse_event_t::object_start) keys.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key && !keys.back().insert(part.get<std::string>()).second) {
+      throw InvalidInput(where + ": got the key " + visible(shortened(part.dump())) + " twice, allowed once");
     }
     return true;
   };
   try {
-    return Json::parse(text, is_shallow);
+    return Json::parse(text, is_read);
   } catch (const Json::exception& error) {
     constexpr std::size_t most = 200;
     throw InvalidInput(where + ": got no JSON document, allowed one (" + visible(shortened(error.what(), most)) + ")");

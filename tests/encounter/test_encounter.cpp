@@ -146,6 +146,10 @@ TEST(EncounterDocument, IsRefusedInOneLine) {
       "material: got 'steel', allowed 'structural steel' (yields at 235 MPa) or 'bearing steel' (at 1.7 GPa): their "
       "yield speeds differ by a factor of 140");
   EXPECT_EQ(said("{").substr(0, 42), "encounter: got no JSON document, allowed o");
+  EXPECT_EQ(said(R"({"first": {"kind": "disk", "poisson": 0.3, "poisson": 0.4}})"),
+            "encounter: got the key \"poisson\" twice, allowed once");
+  EXPECT_EQ(said(R"({"first": {"kind": "disk", "poisson": 0.3}, "first": {"kind": "rod"}})"),
+            "encounter: got the key \"first\" twice, allowed once");
   for (const char* text : {"", "[]", "1e999", "{\"first\":[]}", R"({"first":"wall"})", "\xff", R"({"first":{}})"}) {
     EXPECT_NE(said(text), "") << text;
     EXPECT_EQ(said(text).find('\n'), std::string::npos) << text;

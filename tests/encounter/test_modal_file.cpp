@@ -52,6 +52,25 @@ TEST(ModalFile, KnowsHowABodyTurns) {
   test::expect_refusal([&] { (void)modal_body_from_json(given.dump()); }, {"rotation inertia", "symmetric"});
 }
 
+// Readers differ in which of both counts.
+TEST(ModalFile, HasNoKeyTwice) {
+  const std::string whole = file().dump();
+  const auto refused = [&](const std::string& before, const std::string& more) {
+    std::string text = whole;
+    const auto place = text.find(before);
+    ASSERT_NE(place, std::string::npos) << before;
+    text.insert(place, more);
+    test::expect_refusal([&] { (void)modal_body_from_json(text, "bell.json"); },
+                         {"bell.json: got the key", "twice, allowed once"});
+    const std::string document = R"({"first": {"kind": "body", "body": )" + text + "}}";
+    test::expect_refusal([&] { (void)encounter_from_json(document); }, {"encounter: got the key", "twice"});
+  };
+  refused("\"mass\"", "\"mass\": 1, ");
+  refused("\"mass\"", "\"m\\u0061ss\": 1, ");  // the same name
+  refused("\"displacement\"", "\"frequency\": [], ");
+  EXPECT_NO_THROW((void)modal_body_from_json(whole));
+}
+
 TEST(ModalFile, NamesWhatIsWrong) {
   const auto refused = [](const std::vector<std::string>& parts, const auto& change) {
     Json given = file();

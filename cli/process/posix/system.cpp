@@ -9,6 +9,8 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 #include "output/output.hpp"
 #include "process/process.hpp"
@@ -51,15 +53,32 @@ void catch_interrupts() {
 
 int interrupted() { return noted; }
 
+bool pipe_ends() {
+  struct sigaction action {};
+  return sigaction(SIGPIPE, nullptr, &action) == 0 && action.sa_handler != SIG_IGN;
+}
+
 void become(const std::vector<std::string>& words) {
   std::vector<std::string> all = words;
   std::vector<char*> pointers;
   pointers.reserve(all.size() + 1);
   for (std::string& word : all) pointers.push_back(word.data());
   pointers.push_back(nullptr);
+  sigset_t held, before;
+  sigemptyset(&held);
+  sigaddset(&held, SIGINT);
+  (void)sigprocmask(SIG_BLOCK, &held, &before);
   execvp(pointers.front(), pointers.data());
+  const int reason = errno;
+  std::error_code none;
+  const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
+  for (const std::filesystem::path& folder :
+       {own, std::filesystem::path("/usr/local/bin"), std::filesystem::path("/usr/bin")}) {
+    if (!folder.empty()) execv((folder / words.front()).c_str(), pointers.data());
+  }
+  (void)sigprocmask(SIG_SETMASK, &before, nullptr);
   throw OutputError(
-      fmt::format("Python: cannot run {}, whose package stoss does this: {}", words.front(), std::strerror(errno)));
+      fmt::format("Python: cannot run {}, whose package stoss does this: {}", words.front(), std::strerror(reason)));
 }
 
 }  // namespace stoss::cli

@@ -35,6 +35,8 @@ void catch_interrupts() { (void)std::signal(SIGINT, note); }
 
 int interrupted() { return noted; }
 
+bool pipe_ends() { return false; }
+
 void become(const std::vector<std::string>& words) {
   throw OutputError(fmt::format("Python: cannot run {} from here on Windows, where its package stoss does this alone",
                                 words.front()));

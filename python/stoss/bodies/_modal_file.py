@@ -10,6 +10,7 @@ from typing import Any, Collection, Mapping
 import numpy as np
 
 from stoss._errors import InvalidInput
+from stoss.export._documents import of_json
 from stoss.export._files import whole_file, write_lines
 
 Nested = Mapping[str, Collection[str]]
@@ -28,7 +29,7 @@ def read_document(path: str | os.PathLike[str], nested: Nested) -> Any:
         raise InvalidInput("body: got more than 64 MiB, allowed a file of modes at a point")
     packed = content.startswith(b"PK")
     try:
-        return _unpacked(content, nested) if packed else json.loads(content.decode("utf-8"))
+        return _unpacked(content, nested) if packed else of_json(content.decode("utf-8"))
     except Exception as error:  # there are no names for all that zipfile and NumPy find wrong with bytes
         kind = "an NPZ file of numbers and texts" if packed else "a JSON document"
         raise InvalidInput(f"body: got none, allowed {kind} ({_line(error)})") from None
@@ -60,13 +61,17 @@ def _unpacked(content: bytes, nested: Nested) -> dict[str, Any]:
         if sum(each.file_size for each in archive.infolist()) > MOST:  # of which zipfile reads no more than that
             raise ValueError("it unpacks to more than 64 MiB")
     with np.load(io.BytesIO(content), allow_pickle=False) as file:
+        if len(set(file.files)) < len(file.files):
+            raise ValueError("a name is there twice")
         arrays = {key: file[key] for key in file.files}
     document: dict[str, Any] = {}
     for key, array in arrays.items():
         outer, _, inner = key.replace(".", "_", 1).partition("_")
         value = array.item() if array.ndim == 0 else array.tolist()
         if outer in nested and inner in nested[outer]:
-            document.setdefault(outer, {})[inner] = value
+            if inner in document.setdefault(outer, {}):  # as modes.frequency and modes_frequency
+                raise ValueError(f"{outer} {inner} is there twice")
+            document[outer][inner] = value
         else:
             document[key] = value
     return document

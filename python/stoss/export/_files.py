@@ -39,6 +39,16 @@ def whole_file(path: str, suffix: str = "") -> Iterator[str]:
         raise
 
 
+def require_writable(path: str | os.PathLike[str]) -> None:
+    """Refuse, before anything is computed for it, a file that cannot be written. Raises OSError as `whole_file`."""
+    with contextlib.suppress(_Enough), whole_file(os.fspath(path)):
+        raise _Enough
+
+
+class _Enough(Exception):
+    """That a file could be made."""
+
+
 def usual_mode() -> int:
     """Who may do what with a new file."""
     mask = os.umask(0)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 import warnings
 from typing import Sequence
 
-from stoss._commands import Parser, guarded
+from stoss._commands import Parser, guarded, put, say
 from stoss._errors import StossWarning
+from stoss.export._files import require_writable
 from stoss.laws._fit import fit
 from stoss.sweeps._specification import of_document
 
@@ -27,6 +27,9 @@ def _fit(words: Sequence[str]) -> int:
     parser.add_argument("--threads", type=int, default=0, metavar="N", help="threads, 0 for all cores (default)")
     parser.add_argument("-o", "--output", metavar="FILE", help="file of the lines")
     given = parser.parse_args(words)
+    output = None if given.output == "-" else given.output
+    if output:
+        require_writable(output)
     body, met = of_document(given.encounter)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", StossWarning)
@@ -34,9 +37,10 @@ def _fit(words: Sequence[str]) -> int:
             body, against=met, law=given.law, speed=given.speed, friction=given.friction, program=given.program,
             threads=given.threads,
         )  # fmt: skip
-    print(found)
-    if given.output:
-        found.write(given.output)
+    if output:
+        found.write(output)
+    else:
+        put(str(found))
     for text in dict.fromkeys(str(each.message) for each in caught):
-        print(f"stoss: warning: {text}", file=sys.stderr)
+        say(f"stoss: warning: {text}")
     return 0

@@ -9,6 +9,8 @@ import logging
 import sys
 from typing import Any, Sequence
 
+from stoss import _starting
+from stoss._commands import say
 from stoss._errors import InvalidInput, NotConverged
 
 MISSING = "needs DOLFINx, SLEPc and Gmsh for Python ({}): in the repository, make modal-tools"
@@ -29,6 +31,7 @@ def main(words: Sequence[str]) -> int:
         except ImportError as error:
             return _complain(4, MISSING.format(error))
         comm = MPI.COMM_WORLD
+        _starting.heed()
         run(given)
         return 0
     except InvalidInput as error:
@@ -54,9 +57,12 @@ def _end(code: int, comm: Any) -> int:
 
 def _complain(code: int, text: str, comm: Any = None) -> int:
     if comm is None or comm.rank == 0:
-        print(f"stoss.modal: error: {' '.join(text.split())}", file=sys.stderr)
+        say(f"stoss.modal: error: {' '.join(text.split())}")
     return code
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    try:
+        sys.exit(main(sys.argv[1:]))
+    finally:
+        _starting.ignore()

@@ -9,6 +9,8 @@ import sys
 import time
 from typing import Any
 
+from stoss._commands import say
+from stoss.export._documents import of_json
 from stoss.export._files import write_lines
 
 
@@ -27,18 +29,18 @@ class Progress:
         self._start, self._wide = time.monotonic(), 0
         with contextlib.suppress(OSError, ValueError, KeyError, TypeError):
             with open(path, encoding="utf-8") as stream:
-                stored = json.load(stream)
+                stored = of_json(stream.read())
             if stored["key"] == key:
                 self.results = dict(stored["results"])
 
     def say(self, text: str, lasting: bool = True) -> None:
         """One line. One that does not last is overwritten by the next, or left out in a file."""
-        terminal = sys.stderr.isatty()
+        terminal = sys.stderr is not None and sys.stderr.isatty()
         if not self.first or not (lasting or terminal):
             return
         line = f"stoss.modal: {time.monotonic() - self._start:5.0f} s  {text}"
         text = "\r" * terminal + line.ljust(self._wide) + "\n" * lasting
-        print(text, end="", file=sys.stderr, flush=True)
+        say(text, end="")
         self._wide = 0 if lasting else len(line)
 
     def keep(self, name: str, result: Any) -> None:

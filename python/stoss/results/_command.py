@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Sequence
 
 from stoss._commands import Parser, guarded
+from stoss.export._files import require_writable
 from stoss.results._adaptive_rule import collision_rule
 from stoss.sweeps._specification import of_document
 
@@ -25,6 +26,7 @@ def _write(words: Sequence[str]) -> int:
     parser.add_argument("--threads", type=int, default=0, metavar="N", help="threads, 0 for all cores (default)")
     parser.add_argument("-o", "--output", required=True, metavar="FILE", help="where it goes")
     given = parser.parse_args(words)
+    require_writable(given.output)
     body, met = of_document(given.encounter)
     rule = collision_rule(
         body, against=met, speed=given.speed, ratio=given.ratio, friction=given.friction, error=given.error,

@@ -16,6 +16,7 @@ from stoss._arguments import refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._modal import ModalBody
 from stoss.bodies._solid import KINDS, Solid, Specification, describe
+from stoss.export._documents import of_json
 from stoss.export._files import write_lines
 
 DIGEST = "sha256"
@@ -90,7 +91,7 @@ def _read(store: str, digest: str) -> ModalBody:
         text = ""
     if _hash(text) != digest:
         raise InvalidInput(f"store: got a missing or damaged '{path}', allowed the body that the grid names")
-    return ModalBody.from_dict(json.loads(text))
+    return ModalBody.from_dict(of_json(text))
 
 
 def _path(store: Path, digest: Any) -> Path:

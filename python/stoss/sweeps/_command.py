@@ -9,13 +9,13 @@ from __future__ import annotations
 import math
 import os
 import re
-import sys
 from typing import Sequence
 
 import numpy as np
 
 from stoss._arguments import refusal
-from stoss._commands import Parser, guarded
+from stoss._commands import Parser, guarded, say
+from stoss.export._files import require_writable
 from stoss.sweeps import _store
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._rows import Layout
@@ -51,10 +51,10 @@ def _sweep(words: Sequence[str]) -> int:
     for case, (begin, end) in parts:
         own[case.place].reshape(-1)[begin:end] = True
     values, doubtful = np.count_nonzero(own), np.count_nonzero(own & ~found.converged)
-    print(f"stoss: shard {shard}/{shards}: {values} values, {done} computed now", file=sys.stderr)
+    say(f"stoss: shard {shard}/{shards}: {values} values, {done} computed now")
     if doubtful:
         hint = "they are in the store with their errors, converged is false"
-        print(f"stoss: warning: {doubtful} of {values} values not as accurate as asked for ({hint})", file=sys.stderr)
+        say(f"stoss: warning: {doubtful} of {values} values not as accurate as asked for ({hint})")
     return 0
 
 
@@ -92,6 +92,7 @@ def _merge(words: Sequence[str]) -> int:
     parser.add_argument("-o", "--output", required=True, metavar="FILE", help="NetCDF-4 file to write")
     parser.add_argument("--mix", action="store_true", help="take rows of other versions too, leave out other grids'")
     given = parser.parse_args(words)
+    require_writable(given.output)
     result = merge(given.store, given.output, mix=given.mix)
     if result.complete:
         return 0
@@ -106,11 +107,11 @@ def _tell_missing(result: Sweep) -> None:
     for i, j, *places in absent[:5].tolist():
         at = zip(grid.axes.items(), places)
         point = ", ".join(f"{name} {axis[k]:.6g}{_unit(result, name)}" for (name, axis), k in at)
-        print(f"stoss: missing: {grid.bodies[i]!r} against {grid.against[j]['kind']}, {point}", file=sys.stderr)
+        say(f"stoss: missing: {grid.bodies[i]!r} against {grid.against[j]['kind']}, {point}")
     if len(absent) > 5:
-        print(f"stoss: missing: … and {len(absent) - 5} more", file=sys.stderr)
+        say(f"stoss: missing: … and {len(absent) - 5} more")
     text = f"stoss: warning: {len(absent)} of {result.computed.size} values are missing (fill values in the file)"
-    print(text, file=sys.stderr)
+    say(text)
 
 
 def _unit(result: Sweep, name: str) -> str:

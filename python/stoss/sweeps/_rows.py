@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
+import zlib
 from pathlib import Path
 from typing import Any, Iterable, Iterator, NamedTuple, Tuple
 
@@ -13,12 +13,21 @@ import numpy as np
 from stoss import _core
 from stoss._errors import InvalidInput
 from stoss.export import _formats
+from stoss.export._documents import of_json
 from stoss.export._text import UNKNOWN
 from stoss.sweeps._computation import Computation
 
 ORIGIN = re.compile(rf"# stoss ({_formats.VERSION}): sweep", re.ASCII)
 
+CHECKSUM = "checksum"
+"""The last column: of what stands before it in its line. Files of stoss 1.0 have none."""
+
 Row = Tuple[Any, ...]
+
+
+def with_checksum(text: str) -> str:
+    """A row with its last cell, by which a changed one is found: CRC-32 of all before it, hexadecimal."""
+    return f"{text},{zlib.crc32(text.encode('ascii')):08x}"
 
 
 class Layout:
@@ -27,7 +36,8 @@ class Layout:
     def __init__(self, computation: Computation) -> None:
         self.axes, self.columns = computation.axes, computation.columns
         self.types = [computation.row[name] for name in self.columns]
-        self.header = ",".join(("case", *self.axes, *self.columns))
+        self.unchecked = ",".join(("case", *self.axes, *self.columns))
+        self.header = f"{self.unchecked},{CHECKSUM}"
 
 
 class Stored(NamedTuple):
@@ -62,25 +72,29 @@ def _stored(file: Path, lines: Iterable[bytes], layout: Layout, mix: bool) -> It
             text = line.decode("ascii")
             if text.startswith("# case "):
                 key, _, inputs = text.removeprefix("# case ").partition(": ")
-                json.loads(inputs)
+                of_json(inputs)
                 cases.add(key)
             elif text.startswith("# "):
                 continue
             elif not names:
                 names = text.split(",")
                 needed = {"case", *layout.axes, *layout.columns}
-                if version == _core.version and text != layout.header or not needed <= set(names):
+                if version == _core.version and text not in (layout.header, layout.unchecked) or not needed <= set(names):
                     raise ValueError
                 take = [names.index(name) for name in ("case", *layout.axes, *layout.columns)]
             else:
                 cells = text.split(",")
                 if len(cells) != len(names):
                     raise ValueError
+                if names[-1] == CHECKSUM and text != with_checksum(text.rpartition(",")[0]):
+                    raise _damaged(file, number, line, "its checksum is that of another row")
                 key, *others = [cells[k] for k in take]
                 if key not in cases:
                     raise ValueError
                 point = tuple(map(float, others[: len(layout.axes)]))
                 yield Stored(key, point, tuple(map(_value, layout.types, others[len(layout.axes) :])), version)
+        except InvalidInput:
+            raise
         except (ValueError, KeyError, RecursionError):
             raise _damaged(file, number, line) from None
 
@@ -96,9 +110,10 @@ def _version(file: Path, line: bytes, mix: bool) -> str:
     return origin[1]
 
 
-def _damaged(file: Path, number: int, line: bytes) -> InvalidInput:
+def _damaged(file: Path, number: int, line: bytes, why: str = "") -> InvalidInput:
     got = "".join(c if c.isprintable() else "?" for c in line[:40].decode("ascii", "replace"))
-    return InvalidInput(f"store: got '{got}' as line {number} of '{file}', allowed a row of a sweep (mend or delete it)")
+    hint = f"{why}: delete it, and it is computed again" if why else "mend or delete it"
+    return InvalidInput(f"store: got '{got}' as line {number} of '{file}', allowed a row of a sweep ({hint})")
 
 
 def _value(of: np.dtype[Any], cell: str) -> Any:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import itertools
-import json
 import os
 import reprlib
 from typing import Any, Iterator, List, Mapping, Sequence, Tuple
@@ -21,6 +20,7 @@ from stoss.bodies._modal import ModalBody
 from stoss.bodies._plates import Layer
 from stoss.bodies._solid import KINDS, Solid, Specification, describe
 from stoss.bodies._walls import HardWall
+from stoss.export._documents import of_json
 
 SOLIDS: tuple[type[Solid], ...] = PARTNERS
 CLASSES: Mapping[str, Any] = {name: made for name in KINDS for made in SOLIDS if made._kind == name}
@@ -32,7 +32,7 @@ Choices = List[List[Tuple[str, Any]]]
 
 def of_document(text: str) -> tuple[Any, Any]:
     """The body of an encounter's JSON document, and what it meets."""
-    document = json.loads(text)
+    document = of_json(text)
     body, against = make("body", document["first"]), document.get("against", "wall")
     return body, beside({"kind": against} if isinstance(against, str) else against, body)
 

@@ -2,9 +2,10 @@
 
 A CSV file begins with the version of stoss and the names of the columns. Before its first row of a case
 comes a comment with the key of the case, a hash of all inputs but the point, and these inputs; each
-row begins with this key and the point: the speed, and what else varies. A row is appended by one write,
-so that a worker that is killed leaves whole lines and at most one incomplete last one, which does not
-count. Files are never rewritten: only the incomplete line is cut off before its worker appends again.
+row begins with this key and the point, the speed and what else varies, and ends with a checksum. A row
+is appended by one write, so that a worker that is killed leaves whole lines and at most one incomplete
+last one, which does not count. Files are never rewritten: only the incomplete line is cut off before its
+worker appends again.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from numpy.typing import NDArray
 from stoss import _core
 from stoss._errors import InvalidInput
 from stoss.export import _formats
+from stoss.export._documents import of_json
 from stoss.export._files import usual_mode
 from stoss.sweeps._bodies import changed, keep, with_documents, without_documents
 from stoss.sweeps._grid import Grid
@@ -87,7 +89,7 @@ def read_grid(path: Path) -> Grid:
 def _inputs(path: Path) -> dict[str, Any]:
     """Those of the grid, as its file has them."""
     try:
-        found = json.loads((path / GRID).read_text(encoding="utf-8"))
+        found = of_json((path / GRID).read_text(encoding="utf-8"))
     except (FileNotFoundError, NotADirectoryError):
         raise InvalidInput(f"store: got '{path}', allowed the directory of a sweep, with its {GRID}") from None
     except (ValueError, RecursionError) as error:
@@ -107,7 +109,8 @@ def read(path: Path, grid: Grid, mix: bool = False) -> Found:
     """All rows of a store.
 
     Raises InvalidInput for a damaged line, for rows of another version or of inputs that are not in
-    the grid, and where two rows of one value differ by more than their errors. With `mix` rows of
+    the grid, and where two rows of one value differ by more than their errors or, of what has none,
+    by more than rounding. With `mix` rows of
     other versions count too, where this one has none, and rows of other inputs are left out.
     """
     layout = Layout(grid.computation)
@@ -141,9 +144,21 @@ def _put(found: Found, place: tuple[int, ...], new: Stored, file: Path) -> None:
 
 
 def _agree(one: Any, row: tuple[Any, ...], names: tuple[str, ...]) -> bool:
+    """Whether two rows are of one value: equal, but for last digits, which machines of two kinds may differ in."""
     if one.item() == row:
         return True
     other = dict(zip(names, row))
-    value, error = "restitution", "restitution_error"
-    both_nan = np.isnan(one[value]) and np.isnan(other[value])
-    return bool(both_nan or abs(one[value] - other[value]) <= one[error] + other[error])
+    for name in names:
+        mine, its = one[name], other[name]
+        if not isinstance(its, float):
+            same = mine == its
+        elif name.endswith("_error") and name.removesuffix("_error") in names:
+            continue
+        elif np.isnan(mine) or np.isnan(its):
+            same = np.isnan(mine) and np.isnan(its)
+        else:
+            error, tiny = f"{name}_error", 1e-9 * max(abs(mine), abs(its))
+            same = mine == its or abs(mine - its) <= (one[error] + other[error] if error in names else tiny)
+        if not same:
+            return False
+    return True

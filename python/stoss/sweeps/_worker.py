@@ -16,7 +16,7 @@ from typing import Any, Sequence
 from stoss import _core
 from stoss._errors import InvalidInput
 from stoss.export._text import cell, known
-from stoss.sweeps._rows import Layout, Row
+from stoss.sweeps._rows import Layout, Row, with_checksum
 
 OFTEN = 1.0
 """Seconds after which this process sends rows to the disk itself: after each row or task it would wait too often."""
@@ -79,6 +79,12 @@ class Worker:
             raise InvalidInput(f"store: got '{self.file}', allowed a file of stoss {_core.version} (use another store)")
         elif self._size == len(origin):  # killed between two lines of the header
             self._write(f"{self._layout.header}\n")
+        elif (
+            os.pread(self._descriptor, len(self._layout.unchecked) + 1, len(origin)).decode("ascii", "replace")
+            == f"{self._layout.unchecked}\n"
+        ):
+            hint = "it can be merged; to go on, use another store"
+            raise InvalidInput(f"store: got '{self.file}' without checksums, allowed one with them ({hint})")
 
     def _last_line_end(self, size: int) -> int:
         """Where the last whole line ends."""
@@ -106,7 +112,7 @@ class Worker:
         """Add a row, before the first of a case also what the case is."""
         cells = [cell(known(name, value)) for name, value in zip(self._layout.columns, row)]
         comment = "" if key in self._cases else f"# case {key}: {json.dumps(inputs, sort_keys=True)}\n"
-        self._write(f"{comment}{','.join((key, *map(repr, point), *cells))}\n")
+        self._write(f"{comment}{with_checksum(','.join((key, *map(repr, point), *cells)))}\n")
         self._cases.add(key)
         self.flush()
 

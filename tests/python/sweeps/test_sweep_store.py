@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import stoss
-from stoss.sweeps._rows import Layout
+from stoss.sweeps._rows import Layout, with_checksum
 from stoss.sweeps._worker import Worker
 
 GRID = {"bodies": {"kind": "sphere", "poisson": [0.1, 0.3]}, "speed": [0.01, 0.1], "tolerance": 1e-2}
@@ -17,6 +17,10 @@ GRID = {"bodies": {"kind": "sphere", "poisson": [0.1, 0.3]}, "speed": [0.01, 0.1
 def opened(store, name=None):
     """The file of a worker of such a sweep."""
     return Worker(store, Layout(stoss.Grid(**GRID).computation), name)
+
+
+def another_digit(line, place):
+    return f"{line[:place]}{'1' if line[place] != '1' else '2'}{line[place + 1 or len(line) :]}"
 
 
 @pytest.fixture(scope="module")
@@ -75,6 +79,10 @@ def test_any_length_of_a_file_can_be_continued(store):
         lambda line: "\n",
         lambda line: line.rstrip("\n") + ",1\n",
         lambda line: line.rstrip("\n") + "\r\n",
+        lambda line: another_digit(line, 4),
+        lambda line: another_digit(line, -2),
+        lambda line: another_digit(line, line.index(",") - 1),
+        lambda line: line.replace(",true", ",false", 1),
         lambda line: "# case 12: {\n",
     ],
 )
@@ -121,14 +129,41 @@ def test_same_value_twice(store):
     lines = (store / "a.csv").read_text().splitlines(keepends=True)
     shutil.copy(store / "a.csv", store / "b.csv")
     assert stoss.open_sweep(store).complete
-    cells = lines[3].split(",")
-    cells[2] = repr(float(cells[2]) - 0.1)
-    (store / "b.csv").write_text("".join(lines[:3]) + ",".join(cells))
+    names, cells = lines[1].rstrip().split(","), lines[3].split(",")[:-1]
+    for name, changed, allowed in (
+        ("restitution", lambda x: x - 0.1, False), ("restitution", lambda x: x * (1 + 1e-15), True),
+        ("contact_time", lambda x: 1.5 * x, False), ("cutoff", lambda x: 2 * x, False), ("cutoff", lambda x: x * (1 + 1e-15), True),
+    ):  # fmt: skip
+        own = list(cells)
+        own[names.index(name)] = repr(changed(float(own[names.index(name)])))
+        assert own != cells
+        (store / "b.csv").write_text("".join(lines[:3]) + with_checksum(",".join(own)) + "\n")
+        if allowed:
+            assert stoss.open_sweep(store).complete
+            continue
+        for call in (lambda: stoss.open_sweep(store), lambda: stoss.sweep(GRID, store=store)):
+            with pytest.raises(stoss.InvalidInput, match="got another value of case"):
+                call()
+    own = list(cells)
+    own[names.index("converged")] = "false"
+    (store / "b.csv").write_text("".join(lines[:3]) + with_checksum(",".join(own)) + "\n")
     with pytest.raises(stoss.InvalidInput, match="got another value of case"):
         stoss.open_sweep(store)
 
 
-@pytest.mark.parametrize("content", ["", "{", "[]", '{"speed": 1}', '{"bodies": {"kind": "sphere"}, "speed": 0.1}'])
+def test_rows_without_checksums_are_read_but_not_continued(made, store):
+    """As stoss 1.0 has written them."""
+    lines = (store / "a.csv").read_text().splitlines()
+    old = [line if line.startswith("#") else line.rpartition(",")[0] for line in lines]
+    (store / "a.csv").write_text("\n".join(old) + "\n")
+    assert stoss.open_sweep(store).rows.tobytes() == made[0].rows.tobytes()
+    with pytest.raises(stoss.InvalidInput, match="without checksums, allowed one with them"):
+        opened(store, "a")
+    (store / "a.csv").write_text("\n".join(old[:-1]) + "\n")
+    assert stoss.sweep(GRID, store=store).rows.tobytes() == made[0].rows.tobytes()  # a worker of its own
+
+
+@pytest.mark.parametrize("content", ["", "{", "[]", '{"speed": [0.01], "speed": [0.01, 0.1]}', '{"speed": 1}', '{"bodies": {"kind": "sphere"}, "speed": 0.1}'])
 def test_damaged_grid(store, content):
     (store / "grid.json").write_text(content)
     with pytest.raises(stoss.InvalidInput):

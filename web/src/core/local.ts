@@ -33,6 +33,11 @@ export function unitsOf(encounter: Encounter): Units {
   return ask('units', { document: documentOf(encounter) });
 }
 
+/** Throws for what the core refuses of a document as it stands, where a key may be twice, which an object forgets. */
+export function requireDocument(document: string): void {
+  ask('units', { document });
+}
+
 /** Whether a speed is in range: throws for one that is not. */
 export function requireSpeed(encounter: Encounter, speed: number): void {
   ask('speed', { document: documentOf(encounter), speed });

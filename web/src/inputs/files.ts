@@ -1,6 +1,7 @@
 // Bodies that a user has from a file: any body by its modes at a point. The address can only name them.
-import { unitsOf } from '../core/local';
+import { requireDocument, unitsOf } from '../core/local';
 import { type Body, type BodyFile, CoreError, type Encounter } from '../core/protocol';
+import { documentOf } from './document';
 import { defaults, type Inputs, unitBody, withKind } from './inputs';
 import { withSi } from './units';
 
@@ -24,7 +25,7 @@ export function openFile(name: string, text: string): BodyFile {
   const file: BodyFile = {
     name: name.replace(/[^\w.-]+/g, '_'), title: typeof title === 'string' ? title : name, document,
   };
-  unitsOf(alone(file)); // refuses what the core refuses
+  requireDocument(documentOf(alone(file)).replace(JSON.stringify(document), () => text));
   loaded.set(file.name, file);
   return file;
 }

@@ -70,7 +70,8 @@ describe('a body of a file', () => {
     expect(hasFile(inputs.encounter)).toBe(false);
   });
   it.each([['{', 'bell.json: got no JSON document'], ['{}', 'first body format: got'], ['3', 'first body'],
-    [text.replace('"poisson":0.3', '"poisson":0.6'), 'first body poisson: got 0.6']])(
+    [text.replace('"poisson":0.3', '"poisson":0.6'), 'first body poisson: got 0.6'],
+    [text.replace('"poisson":0.3', '"poisson":0.3,"poisson":0.4'), 'got the key "poisson" twice']])(
     'that is none is refused in one line: %s', (wrong, line) => {
       const said = refusal(() => openFile('bell.json', wrong));
       expect(said).toContain(line);
