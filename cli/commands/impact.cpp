@@ -131,6 +131,7 @@ void run(const ImpactArguments& arguments) {
   const OutputOptions& asked = arguments.output;
   Output output(asked.path);
   const Impact result = compute(arguments, encounter, contact, speed, options);
+  if (result.remaining > 0.0) asked.warn(note_of_staying());
   if (result.beyond_small_strain) asked.warn_of_strain("here");
   if (const Yielding its = yielding(encounter); its.is_below(result.speed)) asked.warn(yield_warning(*its.speed));
 

@@ -10,6 +10,7 @@
 #include "output/fields.hpp"
 #include "process/process.hpp"
 #include "stoss/errors.hpp"
+#include "stoss/impact/quantities.hpp"
 
 namespace stoss::cli {
 
@@ -33,6 +34,7 @@ void RowRun::write(const Provenance& provenance, const std::function<void()>& co
 void RowRun::count(const Row& row) {
   const Value* value = find(plan_.columns, row, "restitution");
   if (has(plan_.columns, row, "converged", false) || std::isnan(number(*value))) ++marked_;
+  if (has(plan_.columns, row, "stays", true)) stays_ = true;
   if (has(plan_.columns, row, "beyond_small_strain", true)) beyond_small_strain_ = true;
   if (has(plan_.columns, row, "beyond_yield", true)) beyond_yield_ = true;
   if (plan_.observer) plan_.observer(row);
@@ -66,6 +68,7 @@ void RowRun::add(const Row& row, const nlohmann::ordered_json& details, const st
 }
 
 void RowRun::conclude() const {
+  if (stays_) options_.output.warn(note_of_staying());
   if (beyond_small_strain_) options_.output.warn_of_strain();
   if (beyond_yield_) options_.output.warn(yield_warning(*plan_.yield_speed));
   if (marked_ == 0) return;

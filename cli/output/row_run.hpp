@@ -69,6 +69,7 @@ class RowRun {
   std::optional<Writer> writer_;
   std::size_t done_ = 0;
   std::size_t marked_ = 0;
+  bool stays_ = false;
   bool beyond_small_strain_ = false;
   bool beyond_yield_ = false;
 };

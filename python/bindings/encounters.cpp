@@ -6,6 +6,7 @@
 #include "stoss/encounter/materials.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/encounter/waves.hpp"
+#include "stoss/impact/quantities.hpp"
 #include "stoss/restitution/ladder.hpp"
 #include "support.hpp"
 
@@ -112,6 +113,7 @@ void bind_encounters(py::module_& module) {
       "series", [](const std::string& name, const std::string& text) { return parse_series(name, text); },
       py::arg("name"), py::arg("text"));
   module.def("who_meets_whom", &who_meets_whom);
+  module.def("note_of_staying", &note_of_staying);
   module.def("units", &units, py::arg("kind"), py::arg("si"), "names by dimension");
   module.def(
       "check_solid", [](const std::string& of, const Values& numbers) { (void)maker(kind(of).solid(numbers)); },

@@ -82,6 +82,7 @@ FIELDS = {
     "momentum_error": "What is missing, as a share of the initial momentum.",
     "converged": "Whether it is as accurate as asked for.",
     "reason": "Why it is not converged; empty where it is.",
+    "stays": "The body stays on a plate: ε is 0, as the plate is infinite and never returns what it takes.",
     "beyond_small_strain": "Speed, also of the vibration before, above 0.5 c or compression above 0.5 R, where linear"
     " elasticity has lost its meaning.",
     "keep": "Which modes up to the cutoff were kept, if not all.",

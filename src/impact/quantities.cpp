@@ -31,9 +31,15 @@ const Quantities<Impact>& impact_quantities() {
       {"steps", none, &I::steps},
       {"energy_error", none, &I::energy_error},
       {"momentum_error", none, &I::momentum_error},
+      {"stays", none, [](const I& i) { return i.remaining > 0.0; }},
       {"beyond_small_strain", none, &I::beyond_small_strain},
   };
   return all;
+}
+
+std::string note_of_staying() {
+  return "the body stays (stays): the plate is infinite and never returns what it takes, so eps is 0; waves that come "
+         "back from the rim of a real one may throw the body off";
 }
 
 const Quantities<EnergyLedger>& ledger_quantities() {
@@ -67,6 +73,7 @@ const Quantities<ObliqueImpact>& oblique_impact_quantities() {
       {"energy_error", none, &O::energy_error},
       {"momentum_error", none, [](const O& o) { return std::max(o.momentum_error, o.normal.momentum_error); }},
       {"angular_momentum_error", none, &O::angular_momentum_error},
+      {"stays", none, [](const O& o) { return o.normal.remaining > 0.0; }},
       {"beyond_small_strain", none, [](const O& o) { return o.normal.beyond_small_strain; }},
   };
   return all;

@@ -38,6 +38,7 @@ const Quantities<Restitution>& restitution_quantities() {
       {"steps", none, &R::steps},
       {"energy_error", none, [](const R& r) { return finest(r, r.finest.energy_error); }},
       {"converged", none, &R::converged},
+      {"stays", none, [](const R& r) { return r.finest.remaining > 0.0; }},
       {"beyond_small_strain", none, [](const R& r) { return r.finest.beyond_small_strain; }},
   };
   return all;
@@ -84,6 +85,7 @@ const Quantities<ObliqueRestitution>& oblique_quantities() {
       {"energy_error", none, [](const O& o) { return finest(o, o.finest.energy_error); }},
       {"converged", none, &O::converged},
       {"unstable", none, &O::unstable},
+      {"stays", none, [](const O& o) { return o.finest.normal.remaining > 0.0; }},
       {"beyond_small_strain", none, [](const O& o) { return o.finest.normal.beyond_small_strain; }},
   };
   return all;

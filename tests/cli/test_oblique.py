@@ -15,7 +15,7 @@ KEYS = (
     "tangential_restitution_error sliding sliding_after sliding_after_error tangential_after tangential_after_error "
     "spin_after spin_after_error second_spin_after second_spin_after_error friction_loss friction_loss_error "
     "vibration vibration_error dundurs coupling_restitution coupling_tangential_restitution coupling_sliding_after "
-    "contact_time cutoff runs steps energy_error converged unstable beyond_small_strain"
+    "contact_time cutoff runs steps energy_error converged unstable stays beyond_small_strain"
 ).split()
 LEDGER = (
     "translation across rotation second_rotation vibration second_vibration dissipated friction unresolved stored"

@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "questions.hpp"
-#include "stoss/impact/impact.hpp"
+#include "stoss/impact/quantities.hpp"
 #include "stoss/quantity.hpp"
 
 /// What the page gets of a result.
@@ -46,6 +46,7 @@ emscripten::val answer(const Meeting& meeting, double speed, const emscripten::v
                      {"converged", val(result.converged)},
                      {"reason", val(result.reason)},
                      {"cutoff", val(finest.cutoff)},
+                     {"note", val(finest.remaining > 0.0 ? note_of_staying() : std::string())},
                      {"beyondSmallStrain", val(finest.beyond_small_strain)}});
   if (const auto yield = yield_speed(meeting.encounter)) made.set("yieldSpeed", *yield);
   return made;

@@ -38,6 +38,8 @@ export interface Restitution {
   reason: string;
   /** of the finest impact, c/R: `stoss impact --cutoff` repeats it */
   cutoff: number;
+  /** what to know of a body that stays on a plate; '' */
+  note: string;
   /** Whether linear elasticity has lost its meaning. */
   beyondSmallStrain: boolean;
   /** of spheres in SI, one of which has a yield strength: the speed in m/s at which it begins to yield */

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "stoss/impact/impact.hpp"
 #include "stoss/impact/oblique.hpp"
 #include "stoss/quantity.hpp"
@@ -8,6 +10,9 @@ namespace stoss {
 
 /// Quantities of one impact. Energies are shares of the initial energy.
 [[nodiscard]] const Quantities<Impact>& impact_quantities();
+
+/// What a reader should know of a body that stays (Impact::remaining), one line: ε is 0 of an infinite plate alone.
+[[nodiscard]] std::string note_of_staying();
 
 /// Where the energy is after an impact.
 [[nodiscard]] const Quantities<EnergyLedger>& ledger_quantities();

@@ -79,6 +79,7 @@ class Impact(ImpactsInSi):
     steps: int
     energy_error: float
     momentum_error: float
+    stays: bool
     beyond_small_strain: bool
     mode_energies: NDArray[Any]
     tail: str

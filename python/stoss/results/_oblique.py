@@ -101,6 +101,7 @@ class ObliqueRestitution(Oblique):
     energy_error: Number
     converged: Flag
     unstable: Flag
+    stays: Flag
     beyond_small_strain: Flag
     reason: str | NDArray[np.object_]
     tolerance: float

@@ -69,6 +69,7 @@ class ObliqueImpact(Oblique, ImpactsInSi):
     energy_error: float
     momentum_error: float
     angular_momentum_error: float
+    stays: bool
     beyond_small_strain: bool
     energy: ObliqueLedger
     state: NDArray[Any] | None

@@ -83,6 +83,7 @@ class Restitution(ImpactsInSi):
     steps: Integer
     energy_error: Number
     converged: Flag
+    stays: Flag
     beyond_small_strain: Flag
     reason: str | NDArray[np.object_]
     tolerance: float

@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from stoss import _core
 from stoss._errors import Interrupted, NotConverged, StossWarning
 from stoss.bodies._encounter import yield_speed_of
 from stoss.bodies._material import Material
@@ -143,6 +144,7 @@ def finished(curve: Curve, done: int | None) -> Curve:
             raise NotConverged(f"{curve._name}: {result.reason}", curve)
     else:
         warn_of_doubt(result.converged, "values", 3)
+    warn_of_staying(curve, 3)
     warn_of_large_strain(curve, 3)
     warn_of_yielding(curve, 3)
     return curve
@@ -155,6 +157,12 @@ def warn_of_yielding(result: MayYield, stacklevel: int) -> None:
         hint = "see .beyond_yield: elastic values are bounds there"
         text = f"speed above {found:.4g} m/s, where yielding begins ({hint})"
         warnings.warn(text, StossWarning, stacklevel=stacklevel + 1)
+
+
+def warn_of_staying(result: Any, stacklevel: int) -> None:
+    """A note, as from that many calls above, of bodies that stay on an infinite plate."""
+    if np.any(result.stays):
+        warnings.warn(_core.note_of_staying(), StossWarning, stacklevel=stacklevel + 1)
 
 
 def warn_of_large_strain(result: Any, stacklevel: int) -> None:

@@ -76,7 +76,7 @@ export function yieldInWords({ si }: Encounter, { speed, yieldSpeed }: Restituti
 const noticeableCoupling = 0.01;
 
 /** What a reader should know about a result, one line each. */
-export function flags({ reason, converged, beyondSmallStrain, quantities }: Restitution): string[] {
+export function flags({ reason, converged, note, beyondSmallStrain, quantities }: Restitution): string[] {
   // The core's advice is about a tolerance, which is no input here.
   const why = reason.replace(/ \(use a larger tolerance[^()]*\)$/, '') || 'tolerance not reached';
   const coupling = Math.abs(quantities.coupling_tangential_restitution?.value ?? 0);
@@ -84,6 +84,7 @@ export function flags({ reason, converged, beyondSmallStrain, quantities }: Rest
     coupling <= noticeableCoupling ? ''
       : `In unequal spheres pressure and friction act on each other. Left out here, that may change ε_t by ${
         Number.isFinite(coupling) ? significant(coupling, 2) : 'an unknown amount'}.`,
+    note && `${note.charAt(0).toUpperCase()}${note.slice(1).replace(' (stays)', '').replace('eps', 'ε')}.`,
     converged ? '' : `Not as accurate as asked for: ${why}.`,
     beyondSmallStrain
       ? 'Beyond small strain: above 0.5 c or a compression of 0.5 R linear elasticity has lost its meaning.' : '',

@@ -37,6 +37,7 @@ function restitution(encounter: Encounter, speed: number, tolerance: number): Re
     converged: encounter.kind !== 'rod',
     reason: encounter.kind === 'rod' ? 'the tolerance asks for a higher cutoff than 362 (use a larger tolerance)' : '',
     cutoff: 45,
+    note: '',
     beyondSmallStrain: speed / barSpeed(encounter) > 0.5,
   };
 }

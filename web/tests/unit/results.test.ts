@@ -9,7 +9,7 @@ const plain: Encounter = { ...ball, si: false, against: 'wall' };
 
 function result(speed: number, restitution: Quantity, more: Partial<Restitution> = {}): Restitution {
   const quantities = { restitution };
-  return { speed, quantities, converged: true, reason: '', cutoff: 8, beyondSmallStrain: false, ...more };
+  return { speed, quantities, converged: true, reason: '', note: '', cutoff: 8, beyondSmallStrain: false, ...more };
 }
 
 describe('the height of rebound', () => {
