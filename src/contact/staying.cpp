@@ -1,5 +1,6 @@
 #include "contact/staying.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,8 +10,9 @@
 namespace stoss {
 namespace {
 
-constexpr double close = 0.25;       // of the law, to be moving by it
-constexpr double hardly_any = 2e-5;  // of the energy
+constexpr double close = 0.25;        // of the law, to be moving by it
+constexpr double hardly_any = 2e-5;   // of the energy
+constexpr double least_known = 1e-3;  // of ε: what Zener leaves out is not measured below
 
 /// eˣ erfc √x
 double scaled_erfc(double x) {
@@ -29,7 +31,7 @@ std::optional<double> on_a_plate(const Contact& contact, double speed, const Slo
   const double by_law = 0.5 * (before.velocity + now.velocity) * (now.time - before.time) / (unit * inelasticity);
   const double off = std::abs(slower / by_law - 1.0);
   if (inelasticity < least || off > close) return std::nullopt;
-  return coefficient / std::pow(inelasticity * (1.0 - off), power);
+  return std::max(least_known, coefficient / std::pow(inelasticity * (1.0 - off), power));
 }
 
 std::optional<double> on_a_strip(const Contact& contact, double speed, const Slowing& before, const Slowing& now) {
