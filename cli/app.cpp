@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "input/words.hpp"
+#include "output/help.hpp"
+#include "process/system.hpp"
 #include "process/text.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/version.hpp"
@@ -28,6 +30,7 @@ std::vector<std::string> candidates(const CLI::App& app) {
 }  // namespace
 
 void declare(CLI::App& app, std::string_view commit) {
+  app.formatter(std::make_shared<Help>(terminal_width()));
   app.description("Coefficient of restitution of elastic bodies from first principles");
   app.name("stoss");
   const std::string origin = commit.empty() ? "" : fmt::format(" (commit {})", commit);
@@ -35,9 +38,12 @@ void declare(CLI::App& app, std::string_view commit) {
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.require_subcommand(1);
   app.footer(
-      "Lengths are in R, speeds in c = sqrt(E/rho), times in R/c, forces in pi R E, frequencies in c/R\n"
-      "of the first body (of a sphere: forces in m c^2/R = (4 pi/3) R^2 E; of a rod: L, c, L/c, E A,\n"
-      "c/L).\n"
+      "Begin with a steel ball that falls on glass:\n"
+      "    stoss predict --body sphere --material 'bearing steel' --radius 0.005\n"
+      "        --height 0.1 --against half-space,material=glass\n"
+      "Without a material: lengths in R, speeds in c = sqrt(E/rho), times in R/c, forces in pi R E, "
+      "frequencies in c/R of the first body (of a sphere: forces in m c^2/R = (4 pi/3) R^2 E; of a rod: "
+      "L, c, L/c, E A, c/L).\n"
       "Exit codes: 0 ok, 1 not converged, 2 usage, 3 bad input, 4 input/output, 130 interrupted.");
   add_modes(app);
   add_impact(app);

@@ -13,7 +13,7 @@ The modes up to the cutoff carry 98 % of it for n = 2. A truncated sum would los
 adds the rest exactly.
 """
 
-import sys
+import argparse
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -57,4 +57,6 @@ def main(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1] if len(sys.argv) > 1 else "out"))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", nargs="?", type=Path, default="out", help="for the files that it writes")
+    main(parser.parse_args().folder)

@@ -10,7 +10,7 @@ From a ratio of about 3 on, the contact is long for the small disk, which hardly
 for the large one, which absorbs the loss.
 """
 
-import sys
+import argparse
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -50,4 +50,6 @@ def main(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1] if len(sys.argv) > 1 else "out"))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", nargs="?", type=Path, default="out", help="for the files that it writes")
+    main(parser.parse_args().folder)

@@ -18,7 +18,7 @@ A block is thick enough if the first wave needs longer than the contact to reach
 come back. Air is left out: the fall from v²/2g and the rise lose another ¾ C_D (ρ_air/ρ) v²/(2gR).
 """
 
-import sys
+import argparse
 import warnings
 from pathlib import Path
 
@@ -83,4 +83,6 @@ def main(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1] if len(sys.argv) > 1 else "out"))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", nargs="?", type=Path, default="out", help="for the files that it writes")
+    main(parser.parse_args().folder)

@@ -14,7 +14,7 @@ The ball touches a wall with s = v_t + ΩR and leaves with s′: friction change
 falls at each bounce, by what becomes vibration and what is rubbed away; it never grows.
 """
 
-import sys
+import argparse
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -96,4 +96,6 @@ def main(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1] if len(sys.argv) > 1 else "out"))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", nargs="?", type=Path, default="out", help="for the files that it writes")
+    main(parser.parse_args().folder)

@@ -13,7 +13,7 @@ measures, tells thin panes, ε thick ones. The pane must be wide: 24 cm from its
 contacts.
 """
 
-import sys
+import argparse
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -79,4 +79,6 @@ def main(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1] if len(sys.argv) > 1 else "out"))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", nargs="?", type=Path, default="out", help="for the files that it writes")
+    main(parser.parse_args().folder)

@@ -40,7 +40,7 @@ void require_poisson(double poisson) {
 }
 
 void require_speed(double speed) {
-  require("speed", speed, {1e-8, 1.0, true, true, "1e-8 to 1"}, "speed of the centre of mass, in units of c");
+  require("speed", speed, {1e-8, 1.0, true, true, "1e-8 to 1"}, "speed of approach, in units of c");
 }
 
 void require_loss_time(double loss_time) {

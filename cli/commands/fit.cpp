@@ -80,7 +80,7 @@ void add_fit(CLI::App& app) {
   arguments.who.add_to(command);
   add_choice(command, "--program", arguments.program,
              {"lammps", "liggghts", "yade", "mercurydpm", "chrono", "mujoco", "acutrace", "aspherix"},
-             "The law as this program integrates it, with its lines", "NAME", "Output");
+             "Fit the law as this program integrates it, and print input lines for it", "NAME", "Output");
   add(command, "-o,--output", arguments.output, "Write to FILE instead of stdout; it appears whole or not at all",
       "FILE", "Output");
   add_threads(command, arguments.threads);

@@ -102,9 +102,11 @@ Impact compute(const ImpactArguments& arguments, const Encounter& encounter, con
   if (arguments.trajectory.empty()) return impact(contact, speed, options);
   Provenance provenance = describe(arguments, encounter);
   provenance.schema = "trajectory";
+  const Units units = units_of(encounter);
   provenance.inputs["speed"] = speed;
+  if (units.si) provenance.inputs["speed_si[m/s]"] = speed * units.si->speed;
   provenance.inputs["cutoff"] = arguments.cutoff;
-  const Fields<Snapshot> fields(snapshot_quantities(), Units{.own = units_of(encounter).own});
+  const Fields<Snapshot> fields(snapshot_quantities(), units);
   Writer writer(Output(arguments.trajectory), Format::csv, provenance, fields.columns());
   catch_interrupts();
   Impact result;
@@ -173,15 +175,16 @@ void add_impact(CLI::App& app) {
   arguments.who.add_to(command, true);
   add_modes_to(command, arguments.who.modes);
   add_choice(command, "--tail", arguments.tail, {"radiating", "static"},
-             "How modes above the cutoff answer (default: radiating)", "TAIL", "Against");
+             "Model of the modes above the cutoff: radiating absorbs energy, static does not (default: radiating)",
+             "TAIL", "Against");
   add(command, "--cutoff", arguments.cutoff, "Modes up to this frequency in c/R are kept (default: 50)", "OMEGA",
       "Resolution");
   add(command, "--step", arguments.resolution.step, "Time step in R/c (default: recommended)", "DT", "Resolution");
   add(command, "--nodes", arguments.resolution.nodes, "Contact nodes, 16 to 4096 (default: recommended)", "N",
       "Resolution");
-  add(command, "--trajectory", arguments.trajectory, "Write time, center, force, energies as CSV to FILE", "FILE",
-      "Output");
-  add(command, "--every", arguments.every, "Trajectory: every so many steps (default: 1)", "K", "Output");
+  add(command, "--trajectory", arguments.trajectory,
+      "Write time, center, force, energies as CSV to FILE, with a material in SI too", "FILE", "Output");
+  add(command, "--every", arguments.every, "With --trajectory: write every K-th step (default: 1)", "K", "Output");
   arguments.output.add_to(command);
 }
 

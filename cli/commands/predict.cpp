@@ -51,7 +51,10 @@ PredictionOptions options_of(const PredictArguments& arguments) {
       throw InvalidInput(fmt::format("uncertainty: got '{}', allowed NAME=U, as in young=0.05", shortened(each)));
     }
     const std::string name = each.substr(0, sign);
-    options.uncertainties[name] = parse_number("uncertainty " + name, each.substr(sign + 1));
+    const double its = parse_number("uncertainty " + name, each.substr(sign + 1));
+    if (!options.uncertainties.emplace(name, its).second) {
+      throw InvalidInput(fmt::format("uncertainty {}: given twice, allowed once", shortened(name)));
+    }
   }
   return options;
 }
@@ -138,7 +141,8 @@ void run(const PredictArguments& arguments) {
 
 void add_predict(CLI::App& app) {
   auto& arguments = add_subcommand<PredictArguments>(
-      app, "predict", "What a drop test shows, with yield and adhesion as models", run,
+      app, "predict", "Predict the rebound of a real ball: computed elastic losses plus models of yield and adhesion",
+      run,
       "Examples:\n"
       "  stoss predict --body sphere --material 'bearing steel' --radius 0.005 --speed 0.01,0.1,1\n"
       "      --against half-space,material=glass\n"

@@ -165,7 +165,8 @@ void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
   add(command, "--tolerance", arguments.tolerance, "Relative error of 1-eps^2 to reach, 1e-15 to 0.5 (default: 0.001)",
       "TOL", "Resolution");
   add(command, "--absolute", arguments.absolute,
-      "Error of 1-eps^2 that is small enough in any case, 0 to 0.5\n(default: 1e-6; 0: only the tolerance counts)",
+      "Absolute error of 1-eps^2 at which to stop, whatever --tolerance says, 0 to 0.5 (default: 1e-6; 0: only the "
+      "tolerance counts)",
       "ERROR", "Resolution");
   add_threads(command, arguments.threads);
 }
@@ -204,28 +205,17 @@ void add_restitution(CLI::App& app) {
   auto& arguments = add_subcommand<RestitutionArguments>(
       app, "restitution", "Coefficient of restitution at a wall, a half-space or of two bodies", run,
       "Examples:\n"
+      "  stoss restitution --body sphere --poisson 0.3 --speed 0.01\n"
+      "  stoss restitution --body sphere --material 'bearing steel' --radius 0.005\n"
+      "      --speed 0.01,0.1 --against half-space,material=glass\n"
       "  stoss restitution --poisson 0.33 --speed log:1e-4:0.3:40 --format csv -o curve.csv\n"
-      "  stoss restitution --poisson lin:-0.9:0.9:7 --speed 0.01,0.1 --resume map.csv\n"
-      "  stoss restitution --poisson 0.33 --speed 0.1 --tolerance 1e-5 --format json\n"
-      "  stoss restitution --poisson 0.33 --speed 0.1 --method extrapolate\n"
-      "  stoss restitution --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --speed 1,5,10\n"
-      "  stoss restitution --poisson 0.33 --speed 0.1 --against disk,poisson=0.2,radius=0.5,young=2\n"
-      "  stoss restitution --body sphere --poisson 0.3 --speed log:1e-5:0.3:40\n"
-      "  stoss restitution --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01\n"
-      "      --yield 1e9 --speed 0.1,1 --against sphere,young=7e10,density=2500,radius=0.02\n"
-      "  stoss restitution --body sphere --poisson 0.3 --loss-time 0.1 --speed log:1e-4:0.1:7\n"
-      "  stoss restitution --body sphere --poisson 0.3 --speed log:1e-5:0.1:20 --against half-space\n"
-      "  stoss restitution --body sphere --poisson 0.3 --speed 0.01,0.1 --mode 2,0,energy=0.1,phase=2\n"
-      "  stoss restitution --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.005\n"
-      "      --speed 0.1,1 --against half-space,poisson=0.23,young=7e10,density=2500\n"
-      "  stoss restitution --body rod --speed 0.1 --against rod,length=2.5,density=3\n"
-      "  stoss restitution --body rod --young 2.1e11 --density 7850 --length 0.5 --area 1e-4 --speed 1\n"
-      "      --against rod,young=7e10,density=2700,length=1,area=2e-4");
+      "  stoss restitution --body sphere --poisson 0.3 --speed 0.01\n"
+      "      --against sphere,radius=2,young=4\n"
+      "They are a sphere at a wall, a ball in SI, a curve in a file, and two bodies; the manual has more.");
   CLI::App& command = *arguments.command;
   add(command, "--poisson", arguments.poissons,
-      "Poisson's ratios, -0.95 to 0.995 of a disk, to 0.4999 of a sphere: a\n"
-      "number, a,b,c, log:a:b:n or lin:a:b:n. With a material: the one of\n"
-      "the solid",
+      "Poisson's ratios, -0.95 to 0.995 of a disk, to 0.4999 of a sphere: a number, a,b,c, log:a:b:n or lin:a:b:n. "
+      "For disks in SI: of the solid; otherwise the 2-D ratio (see the manual)",
       "NUS", "Body");
   add(command, "--speed", arguments.speeds,
       "Speeds of approach, 1e-8 to 1 in c of the body (m/s with a material):\n"

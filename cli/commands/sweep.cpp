@@ -24,7 +24,7 @@ void run(const SweepArguments& arguments) {
 
 void add_sweep(CLI::App& app) {
   auto& arguments = add_subcommand<SweepArguments>(
-      app, "sweep", "Compute the cases of a grid, on as many machines as there are", run,
+      app, "sweep", "Compute a grid of bodies, partners and speeds; run shards on several machines", run,
       "Examples:\n"
       "  stoss sweep grid.toml --store values\n"
       "  stoss sweep grid.toml --store values --shard $SLURM_ARRAY_TASK_ID/100 --threads 1");

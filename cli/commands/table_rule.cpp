@@ -77,7 +77,7 @@ std::string text_of_rule(const TableArguments& arguments, const TableJob& job) {
 void write_netcdf_of_rule(const TableArguments& arguments, const TableJob& job) {
   if (!arguments.oblique)
     throw InvalidInput("format: got netcdf, allowed only with --oblique (the whole collision rule)");
-  if (arguments.output.path.empty()) throw InvalidInput("output: got none, allowed a file, which netcdf needs");
+  if (arguments.output.path.empty()) throw InvalidInput("output: missing, a file, which netcdf needs");
   std::vector<std::string> words{"table",
                                  fmt::format("--error={}", arguments.error),
                                  fmt::format("--tolerance={}", arguments.tolerance),

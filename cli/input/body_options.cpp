@@ -133,7 +133,7 @@ Participant BodyOptions::body() const {
   const Kind& its = kind(names_file(kind_) ? "modal" : kind_);
   require_own(its);
   if (its.from_file) {
-    if (!material_.empty()) throw InvalidInput("material: got --material beside a file, allowed none: it has one");
+    if (!material_.empty()) throw InvalidInput("material: the body file has one already (leave out --material)");
     return modal_from_file("body", kind_);
   }
   Participant body{.kind = kind_, .material_name = material_, .rigid = rigid_};

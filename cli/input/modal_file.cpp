@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "input/encounter.hpp"
+#include "output/output.hpp"
+#include "process/text.hpp"
 #include "stoss/encounter/modal_file.hpp"
 #include "stoss/errors.hpp"
 
@@ -23,8 +25,8 @@ Participant modal_from_file(const std::string& option, const std::string& text) 
     all.resize(static_cast<std::size_t>(file.gcount()));
   }
   if (!file.is_open() || file.bad() || (file.gcount() == 0 && errno != 0)) {
-    throw InvalidInput(fmt::format("{}: got '@{}', allowed @ and a file that can be read ({})", option, path,
-                                   std::strerror(errno != 0 ? errno : EIO)));
+    const int reason = errno != 0 ? errno : EIO;
+    throw OutputError(fmt::format("{}: cannot read '{}' ({})", option, shortened(path), std::strerror(reason)), reason);
   }
   if (all.size() > most) {
     throw InvalidInput(

@@ -7,10 +7,6 @@
 
 namespace stoss::cli {
 
-/// The candidate that `word` begins, or that differs from it by one letter in three at most; "" if there is none.
-/// Leading dashes do not count.
-[[nodiscard]] std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
-
 /// Refuses a word of an option, with those that it may be and the nearest of them.
 /// @param where text behind the allowed ones
 [[noreturn]] void refuse_word(const std::string& option, const std::string& got,

@@ -40,9 +40,8 @@ void RowOptions::add_to(CLI::App& to) {
   command = &to;
   output.add_to(to);
   add(to, "--resume", resume,
-      "Continue an interrupted run: keep the rows of the CSV file FILE,\n"
-      "add the missing ones; without FILE begin it",
-      "FILE", "Output");
+      "Continue the run stored in FILE (CSV): add the rows that are missing; create FILE if it does not exist", "FILE",
+      "Output");
 }
 
 void RowOptions::redirect() {

@@ -77,7 +77,13 @@ std::string full_precision(const Value& value) {
 }
 
 std::string with_error(double value, double error) {
+  if (std::isnan(value)) return std::string(not_computed);
   if (std::isfinite(value) && !std::isfinite(error)) return fmt::format("{:.6g} ± {}", value, unknown);
+  constexpr double longest = 1e9;  // with all its digits
+  if (std::isfinite(value) && std::max(std::abs(value), error) >= longest) {
+    return error < std::abs(value) && error > 1e-15 * std::abs(value) ? in_powers_of_ten(value, error)
+                                                                      : fmt::format("{:.6g} ± {:.2g}", value, error);
+  }
   constexpr int most = 12;
   int decimals = most;
   if (error > 0.0) decimals = std::max(1 - static_cast<int>(std::floor(std::log10(error))), 0);

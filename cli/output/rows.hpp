@@ -27,6 +27,9 @@ using Row = std::vector<Value>;
 /// In place of an error that is not known.
 inline constexpr std::string_view unknown = "unknown";
 
+/// In the printed table, in place of a value that there is not; why, a warning says.
+inline constexpr std::string_view not_computed = "not computed";
+
 /// A number or a flag as a number; infinite where it is unknown.
 [[nodiscard]] double number(const Value& value);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "output/fields.hpp"
 #include "stoss/version.hpp"
@@ -12,24 +13,28 @@ namespace {
 
 /// To the six digits that fit a table.
 std::string for_reading(const Value& value) {
-  if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.6g}", *number);
+  if (const auto* number = std::get_if<double>(&value)) {
+    return std::isnan(*number) ? std::string("-") : fmt::format("{:.6g}", *number);
+  }
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "yes" : "no";
   return full_precision(value);
 }
 
-/// Pads on the left to a width in characters (UTF-8 continuation bytes do not count).
-std::string right_aligned(const std::string& text, int width) {
+/// Adds a cell of a table, padded on the left to a width in characters (UTF-8 continuation bytes do not count), and
+/// after at least one space where a cell is before it: a long one does not run into its neighbour.
+void append_cell(std::string& line, const std::string& text, int width) {
   int length = 0;
   for (const char c : text) length += (static_cast<unsigned char>(c) & 0xC0) != 0x80 ? 1 : 0;
-  return std::string(static_cast<std::size_t>(std::max(width - length, 0)), ' ') + text;
+  const int apart = line.empty() || text.empty() ? 0 : 1;
+  line += std::string(static_cast<std::size_t>(std::max(width - length, apart)), ' ') + text;
 }
 
 std::string table_head(const Columns& columns) {
   std::string names, units;
   for (const Column& column : columns) {
     if (column.width == 0) continue;
-    names += right_aligned(column.name, column.width);
-    units += right_aligned(column.unit, column.width);
+    append_cell(names, column.name, column.width);
+    append_cell(units, column.unit, column.width);
   }
   units.erase(units.find_last_not_of(' ') + 1);
   return names + "\n" + units + "\n";
@@ -48,7 +53,7 @@ std::string table_row(const Columns& columns, const Row& row) {
       cell = unknown;
     }
     if (column.mark) cell += has(columns, row, column.mark->first, column.mark->second) ? " !" : "  ";
-    text += right_aligned(cell, column.width);
+    append_cell(text, cell, column.width);
   }
   return text;
 }

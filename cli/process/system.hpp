@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,11 @@ void prepare_streams();
 
 /// Whether somebody sees what is written on stderr as it comes.
 [[nodiscard]] bool stderr_is_terminal();
+
+inline constexpr std::size_t usual_width = 80;
+
+/// Characters in a line of the terminal that stdout is, or 80 if it is none.
+[[nodiscard]] std::size_t terminal_width();
 
 /// Writes on stderr as it is, without a line end. If that cannot be written, it is lost and nothing else changes.
 void show(std::string_view text) noexcept;

@@ -12,7 +12,7 @@ of Bessel's functions to rounding, from above and one by one, so that none is mi
 what it differs from that of a solid sphere falls as (r/R)²ⁿ, and c₀ is that of the sphere and this.
 """
 
-import sys
+import argparse
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -95,4 +95,6 @@ def main(path: str) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1] if len(sys.argv) > 1 else "hollow_sphere.json")
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("file", nargs="?", default="hollow_sphere.json", help="that it writes")
+    main(parser.parse_args().file)

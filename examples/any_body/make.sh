@@ -3,6 +3,7 @@
 #   ./make.sh [sphere|hollow_sphere|bar|beam|plate|ring|bell|bat|coin]...
 # PYTHON is an interpreter that sees stoss and DOLFINx: that of `make modal-tools`.
 set -euo pipefail
+case ${1:-} in -h | --help) sed -n '2,4s/^# \?//p' "$0"; exit ;; esac
 cd "$(dirname "$0")"
 python=${PYTHON:-../../build/venv/bin/python}
 work=$(mktemp -d)

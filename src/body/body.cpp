@@ -39,7 +39,8 @@ void validate(const Body& body) {
   const auto& [points, cutoff, power, along_edge, fewest] = body.sampling;
   require(body, positive(points) && positive(cutoff) && finite({power, along_edge}) && along_edge >= 0.0 && fewest > 0,
           "a positive finite sampling");
-  require(body, body.part.size > 0.0 && body.part.beyond >= 0.0 && body.part.echo > 0.0, "a part that it can have");
+  require(body, body.part.size > 0.0 && body.part.beyond >= 0.0 && body.part.echo > 0.0,
+          "part.size and part.echo above 0, part.beyond of 0 or more");
   const double highest = kept_cutoff(body);
   for (const ModeGroup& group : body.groups) {
     require(body, group.upper.size() == group.omega.size() && group.lower.size() == group.omega.size(),

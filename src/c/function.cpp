@@ -28,7 +28,7 @@ stoss::SlowLaw law_of(const stoss_contact& contact) {
 
 void require_unexcited(const stoss_contact& contact) {
   if (contact.vibration.empty()) return;
-  throw stoss::InvalidInput("vibration: got modes that vibrate, allowed none in a function of the speed");
+  throw stoss::InvalidInput("vibration: a function of the speed is of bodies that do not vibrate before");
 }
 
 }  // namespace

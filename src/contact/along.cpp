@@ -13,9 +13,9 @@ namespace {
 
 std::vector<Body> bodies_along(const Body& body, const Poll& poll) {
   if (body.along) return body.along(poll);
-  throw InvalidInput("friction: got '" + body.name +
-                     "', allowed only bodies whose surface can move along another: disks, spheres, half-spaces (leave "
-                     "friction out, or take 0)");
+  throw InvalidInput("friction: not available for '" + body.name +
+                     "', but for disks, spheres, half-spaces, plates, and modal bodies with a tangent (leave friction "
+                     "out, or take 0)");
 }
 
 double own_mass_along(const Body& body) { return body.mass_along > 0.0 ? body.mass_along : whole_mass(body); }

@@ -48,13 +48,17 @@ double reduced(double first, double second) { return std::isinf(second) ? first 
 Contact contact(std::shared_ptr<const Body> body, const Wall& wall) {
   validate(*body);
   validate(wall);
-  if (is_unbounded(*body) || body->softness == 0.0) {
-    throw InvalidInput("against: got a wall for '" + body->name +
-                       "', allowed only a body that moves and deforms (or an elastic body to meet)");
+  if (is_unbounded(*body)) {
+    throw InvalidInput("body: '" + body->name +
+                       "' cannot meet a wall, because it does not move (let another body meet it)");
+  }
+  if (body->softness == 0.0) {
+    throw InvalidInput("against: a rigid body ('" + body->name +
+                       "') cannot meet a rigid wall; one of the two must be elastic");
   }
   if (body->contour == Contour::ball && body->curvature == 0.0) {
-    throw InvalidInput("curvature: got a plane surface of '" + body->name +
-                       "' for a wall, allowed a curved one (they would touch all over)");
+    throw InvalidInput("curvature: the surface of '" + body->name +
+                       "' is flat, as the wall is, and at least one must be curved");
   }
   Contact contact;
   contact.wall = wall;

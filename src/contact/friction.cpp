@@ -109,7 +109,8 @@ void Friction::solve(const std::vector<double>& compliance, const std::vector<do
       return;
     }
   }
-  throw NotConverged("friction: no friction at the nodes obeys Coulomb's law (use another number of nodes)");
+  throw NotConverged(
+      "friction: no friction at the nodes obeys Coulomb's law (another resolution may do; please report the input)");
 }
 
 }  // namespace stoss

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "check.hpp"
 #include "stoss/errors.hpp"
@@ -12,19 +13,41 @@ namespace {
 
 constexpr double unequal = 1e-9;
 
-void require_ratio(const std::string& name, double ratio) {
-  constexpr Range allowed{1e-3 * (1.0 - unequal), 1e3 * (1.0 + unequal), true, true, "0.001 to 1000"};
-  require(name + " ratio", ratio, allowed, "of the second body to the first");
+/// The name of a body without its numbers, which are in units that nobody may have given.
+std::string short_name(const Body& body) {
+  const std::size_t equals = body.name.find('=');
+  return equals == std::string::npos ? body.name : body.name.substr(0, body.name.rfind(' ', equals));
 }
 
-void require_ratio_of_half_space(const std::string& name, double ratio) {
+void require_ratio(const std::string& name, double ratio, std::string_view hint = {}) {
+  constexpr Range allowed{1e-3 * (1.0 - unequal), 1e3 * (1.0 + unequal), true, true, "0.001 to 1000"};
+  require(name + " ratio", ratio, allowed, "of the second body to the first" + std::string(hint));
+}
+
+/// @param of what has no end
+void require_ratio_of_half_space(const std::string& name, const Body& of, double ratio, std::string_view hint = {}) {
   constexpr Range allowed{1e-3 * (1.0 - unequal), 1e6 * (1.0 + unequal), true, true, "0.001 to 1e6"};
-  require(name + " ratio", ratio, allowed, "of the half-space to the body");
+  require(name + " ratio", ratio, allowed, "of the " + short_name(of) + " to the body" + std::string(hint));
+}
+
+/// The modulus of a rigid body is only a unit: whatever it is, ratios to it say nothing.
+void require_young(const Body& first, const Body& second, double softness) {
+  if (first.softness == 0.0 || second.softness == 0.0) return;
+  constexpr std::string_view slow = "; the waves of the stiffer one are too fast for the steps of the other: let it ";
+  const double ratio = 1.0 / softness;
+  const std::string way = std::string(slow) + (ratio < 1.0            ? "be rigid"
+                                               : is_unbounded(second) ? "be a wall"
+                                                                      : "be rigid");
+  if (is_unbounded(second)) {
+    require_ratio_of_half_space("young", second, ratio, way);
+  } else {
+    require_ratio("young", ratio, way);
+  }
 }
 
 void require_contours(const Body& first, const Body& second) {
   if (first.contour == second.contour) return;
-  throw InvalidInput("against: got '" + second.name + "' for '" + first.name +
+  throw InvalidInput("against: got '" + short_name(second) + "' for '" + short_name(first) +
                      "', allowed a body of the same kind of end (a disk meets disks and half-planes, a sphere spheres "
                      "and half-spaces, a rod rods)");
 }
@@ -57,24 +80,25 @@ std::size_t shape_rows(const Body& body) {
 void require_partners(const Body& first, const Body& second) {
   require_contours(first, second);
   if (is_unbounded(first)) {
-    throw InvalidInput("against: got '" + first.name + "' as the first body, allowed one that moves");
+    throw InvalidInput("body: '" + first.name +
+                       "' cannot be the first body, because it does not move (let the other body meet it)");
   }
   if (first.softness == 0.0 && second.softness == 0.0) {
-    throw InvalidInput("rigid: got two rigid bodies, allowed one (the other must deform)");
+    throw InvalidInput("rigid: both bodies are rigid, and one of them must deform");
   }
   if (first.contour == Contour::ball && first.curvature + second.curvature == 0.0) {
-    throw InvalidInput("curvature: got a plane surface of '" + first.name + "' and of '" + second.name +
-                       "', allowed one (they would touch all over)");
+    throw InvalidInput("curvature: the surfaces of '" + short_name(first) + "' and '" + short_name(second) +
+                       "' are both flat, and at least one must be curved");
   }
   const UnitRatios units(second, first);
   if (first.curvature_difference > 0.0) require_round(first, second.curvature / units.length);
   if (second.curvature_difference > 0.0) require_round(second, first.curvature * units.length);
   if (is_unbounded(second) && is_known_at_a_point(first)) {
-    require_ratio_of_half_space("young", 1.0 / units.softness);
+    require_young(first, second, units.softness);
   } else if (is_unbounded(second)) {
     const double size = first.contour == Contour::ball ? units.length : 1.0;
-    require_ratio_of_half_space("young", 1.0 / units.softness);
-    require_ratio_of_half_space("density", units.mass / (units.length * units.length * size));
+    require_young(first, second, units.softness);
+    require_ratio_of_half_space("density", second, units.mass / (units.length * units.length * size));
   } else if (first.contour == Contour::flat) {
     require_ratio("length", units.length);
     require_ratio("transit time", units.time);
@@ -82,7 +106,7 @@ void require_partners(const Body& first, const Body& second) {
   } else if (!is_known_at_a_point(first) && !is_known_at_a_point(second)) {
     require_ratio("radius", units.length);
     const double volume = units.length * units.length * (first.contour == Contour::ball ? units.length : 1.0);
-    require_ratio("young", 1.0 / units.softness);
+    require_young(first, second, units.softness);
     require_ratio("density", units.mass / volume);
   }
   const double cutoff = second.cutoff / units.time;

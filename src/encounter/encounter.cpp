@@ -1,7 +1,10 @@
 #include "stoss/encounter/encounter.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "check.hpp"
@@ -54,7 +57,26 @@ void require_modes(const Solid& solid, double cutoff) {
   if (const auto* its = std::get_if<Sphere>(&solid)) (void)sphere(its->poisson, cutoff);
 }
 
-BodyMaker made(const Participant& of, const Solid& solid) { return of.rigid ? rigid(maker(solid)) : maker(solid); }
+/// What `compute` gives of a body, which knows its loss time in its own R/c alone: refused there, it is refused here as
+/// it was given.
+template <typename Compute>
+auto with_given_loss_time(const Participant& of, const Compute& compute) {
+  try {
+    return compute();
+  } catch (const InvalidInput& error) {
+    constexpr std::string_view refused = "loss_time: got ";
+    const std::string line = error.what();
+    const double given = loss_time_of(of);
+    if (line.compare(0, refused.size(), refused) != 0 || !(given > 0.0) || std::isinf(given)) throw;
+    const double most = 1e5 * given / std::stod(line.substr(refused.size()));
+    throw InvalidInput("loss_time: got " + shown(given) + ", allowed 0 to " + shown(most) +
+                       " (eta of stress = (1 + eta d/dt) elastic stress; 1e5 R/c of the body)");
+  }
+}
+
+BodyMaker made(const Participant& of, const Solid& solid) {
+  return with_given_loss_time(of, [&] { return of.rigid ? rigid(maker(solid)) : maker(solid); });
+}
 
 /// "sphere or half-space": what a body meets besides walls and its like.
 /// @param before what is said before these
@@ -72,7 +94,8 @@ std::string partners_of(const Kind& first, std::string before = {}) {
 void require_partner(const Encounter& encounter) {
   const Kind& first = kind(encounter.first.kind);
   if (!first.bounded) {
-    throw InvalidInput("kind: got " + std::string(first.name) + " as the first body, allowed one that moves");
+    throw InvalidInput("body: a " + std::string(first.name) +
+                       " cannot be the first body, because it does not move (give it as what is met)");
   }
   const Kind& against = kind(encounter.against.kind);
   if (meets(first, against)) return;
@@ -110,12 +133,15 @@ void require_units(const Encounter& encounter) {
   const Kind& against = kind(encounter.against.kind);
   const bool material = encounter.against.material.has_value();
   if (!takes_material(against)) {
-    if (material) throw InvalidInput("against material: got one, allowed none of a " + std::string(against.name));
+    if (material) throw InvalidInput("against: a " + std::string(against.name) + " has no material (leave it out)");
     return;
   }
   if (encounter.first.material.has_value() == material) return;
-  throw InvalidInput(encounter.first.material ? "against material: got none, allowed one, as the first body has one"
-                                              : "against material: got one, allowed none, as the first body has none");
+  throw InvalidInput(encounter.first.material
+                         ? "against: needs a material too, because the first body has one (e.g. " +
+                               std::string(against.name) + ",material=glass)"
+                         : "against: has a material, but the first body is dimensionless (give both a material and "
+                           "sizes in SI, or ratios)");
 }
 
 }  // namespace
@@ -137,8 +163,10 @@ std::optional<Scales> si_scales(const Encounter& encounter) {
   const Values all = first_values(encounter);
   if (first.kind == "disk") return scales(*first.material, first.plane, all.at("radius"));
   if (first.modal) return scales(*first.modal);
-  if (is_rod(encounter)) return scales(std::get<Rod>(kind("rod").solid(all)));
-  return scales(std::get<Sphere>(kind("sphere").solid(all)));
+  return with_given_loss_time(first, [&] {
+    return is_rod(encounter) ? scales(std::get<Rod>(kind("rod").solid(all)))
+                             : scales(std::get<Sphere>(kind("sphere").solid(all)));
+  });
 }
 
 UnitSystem unit_system(const Encounter& encounter) {

@@ -41,7 +41,7 @@ inline Json parsed(const std::string& where, std::string_view text) {
     return Json::parse(text, is_read);
   } catch (const Json::exception& error) {
     constexpr std::size_t most = 200;
-    throw InvalidInput(where + ": got no JSON document, allowed one (" + visible(shortened(error.what(), most)) + ")");
+    throw InvalidInput(where + ": not a JSON document (" + visible(shortened(error.what(), most)) + ")");
   }
 }
 
@@ -78,7 +78,7 @@ inline void require_keys(const std::string& where, const Json& given, const std:
 }
 
 inline double needed(const std::string& where, const Json& given, const std::string& name) {
-  if (!given.contains(name)) throw InvalidInput(where + " " + name + ": got none, allowed a number in SI");
+  if (!given.contains(name)) throw InvalidInput(where + " " + name + ": missing, a number in SI");
   return number(where + " " + name, given[name]);
 }
 

@@ -101,7 +101,7 @@ std::vector<Kind> make_kinds() {
   half_space.parameters = {solid_poisson_number, young, density, loss_time};
   half_space.solid = unbounded<HalfSpace>;
   Kind half_plane = disk;
-  half_plane.name = "half-plane", half_plane.plural = "half-planes", half_plane.help = "such a block for disks";
+  half_plane.name = "half-plane", half_plane.plural = "half-planes", half_plane.help = "elastic half-plane, for disks";
   half_plane.bounded = half_plane.can_be_rigid = false;
   half_plane.parameters = {plane_poisson_number, young, density, loss_time};
   half_plane.solid = unbounded<HalfPlane>;
@@ -111,7 +111,7 @@ std::vector<Kind> make_kinds() {
   plate.parameters = {thickness, solid_poisson_number, young, density, loss_time}, plate.solid = flat<Plate>;
   plate.add_layer = add_layer;
   Kind strip = half_plane;
-  strip.name = "strip", strip.plural = "strips", strip.help = "such a plate for disks";
+  strip.name = "strip", strip.plural = "strips", strip.help = "elastic strip of finite thickness, for disks";
   strip.parameters = {thickness, plane_poisson_number, young, density, loss_time}, strip.solid = flat<Strip>;
   Kind wall = half_space;
   wall.name = "wall", wall.plural = "walls", wall.help = "a rigid wall";

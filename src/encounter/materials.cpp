@@ -100,9 +100,11 @@ const std::vector<NamedMaterial>& named_materials() {
 
 const Material& named_material(std::string_view name) {
   std::string names;
+  std::vector<std::string> all;
   for (const NamedMaterial& each : named_materials()) {
     if (each.name == name) return each.material;
-    names += (names.empty() ? "" : ", ") + std::string(each.name);
+    all.emplace_back(each.name);
+    names += (names.empty() ? "" : ", ") + all.back();
   }
   // In version 1.0 "structural steel" was the structural one, which hardly any ball is made of.
   if (name == "structural steel") {
@@ -110,7 +112,9 @@ const Material& named_material(std::string_view name) {
         "material: got 'steel', allowed 'structural steel' (yields at 235 MPa) or 'bearing steel' (at 1.7 GPa): their "
         "yield speeds differ by a factor of 140");
   }
-  throw InvalidInput("material: got " + in_quotes(name) + ", allowed " + names + ", or numbers of your own");
+  const std::string similar = nearest(name, all);
+  throw InvalidInput("material: got " + in_quotes(name) + ", allowed " + names + ", or numbers of your own" +
+                     (similar.empty() ? "" : ", did you mean " + similar + "?"));
 }
 
 }  // namespace stoss

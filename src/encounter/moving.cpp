@@ -19,9 +19,12 @@ MovingBody<3> body_of(const Solid& solid, double length, double density) {
     const double r = ball->radius / length, mass = 4.0 / 3.0 * std::numbers::pi * ball->density / density * r * r * r;
     return {1.0 / mass, 2.5 / (mass * r * r), r, {}, {}};
   }
-  if (std::holds_alternative<Rod>(solid)) throw InvalidInput("body: got a rod, allowed disks and spheres (they turn)");
+  if (std::holds_alternative<Rod>(solid))
+    throw InvalidInput("body: rods cannot be moved by collide, only disks and spheres");
   if (std::holds_alternative<ModalBody>(solid)) {
-    throw InvalidInput("body: got one by its modes, allowed disks and spheres (which turn alike about any axis)");
+    throw InvalidInput(
+        "body: modal bodies cannot be moved by collide, only disks and spheres, which turn alike about "
+        "any axis");
   }
   return {0.0, 0.0, 0.0, {}, {}};
 }

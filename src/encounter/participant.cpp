@@ -31,20 +31,20 @@ void require_layers(const Participant& of, const Kind& kind) {
   for (std::size_t i = 0; i < of.below.size(); ++i) {
     const std::string layer = "layer " + std::to_string(i + 2) + " ";
     if (of.below[i].values.contains("loss_time")) {
-      throw InvalidInput(layer + "loss_time: got one, allowed one of all layers of a " + of.kind);
+      throw InvalidInput(layer + "loss_time: one holds for the whole " + of.kind + " (give it with the first layer)");
     }
     if (of.below[i].material.has_value() != of.material.has_value()) {
-      throw InvalidInput(layer + (of.material ? "material: got none, allowed one, as the first layer has one"
-                                              : "material: got one, allowed none, as the first layer has none"));
+      throw InvalidInput(layer + (of.material ? "material: missing (the first layer has one, so all need one)"
+                                              : "material: the first layer has none, so none can have one"));
     }
   }
 }
 
 /// Its size and material, which what it meets is given in.
 Values values_of_file(const Participant& of) {
-  if (!of.modal) throw InvalidInput("body: got a " + of.kind + " body without its modes, allowed one from a file");
+  if (!of.modal) throw InvalidInput("body: a " + of.kind + " body needs its modes, from a body file");
   if (!of.values.empty()) {
-    throw InvalidInput(of.values.begin()->first + ": got a number, allowed none beside a file, which has all");
+    throw InvalidInput(of.values.begin()->first + ": the body file has it already (leave it out)");
   }
   const ModalBody& its = *of.modal;
   return {{"radius", own_length(its)},
@@ -77,8 +77,8 @@ double loss_time_of(const Participant& of) {
   const double its = of_material(of);
   for (const Participant& layer : of.below) {
     if (const double other = of_material(layer); other != its) {
-      throw InvalidInput("loss_time: got layers with " + shown(its) + " and " + shown(other) +
-                         " s, allowed one of the whole " + of.kind + " (give it; 0: no loss)");
+      throw InvalidInput("loss_time: the layers' materials have " + shown(its) + " and " + shown(other) +
+                         " s, but one holds for the whole " + of.kind + " (give it; 0: no loss)");
     }
   }
   return its;
@@ -90,9 +90,9 @@ Values all_values(const Participant& of, std::optional<double> poisson, double r
   require_layers(of, kind);
   for (const auto& [name, value] : of.values) {
     if (const Parameter* its = parameter(kind, name); its == nullptr) {
-      throw InvalidInput(name + ": got a number, allowed none of a " + std::string(kind.name));
+      throw InvalidInput(name + ": a " + std::string(kind.name) + " has none (leave it out)");
     } else if (its->of_material && of.material) {
-      throw InvalidInput(name + ": got " + shown(value) + " beside a material, allowed one of the two");
+      throw InvalidInput(name + ": the material has it already (leave out " + shown(value) + ", or the material)");
     }
   }
   Values all;
@@ -105,13 +105,13 @@ Values all_values(const Participant& of, std::optional<double> poisson, double r
     } else if (const auto found = of.values.find(name); found != of.values.end()) {
       all[name] = found->second;
     } else if (of.material) {
-      throw InvalidInput(name + ": got none, allowed a number in " + std::string(each.unit) + " (with a material)");
+      throw InvalidInput(name + ": missing (a material needs it too, in " + std::string(each.unit) + ")");
     } else if (name == "poisson" && poisson) {
       all[name] = *poisson;
     } else if (each.otherwise) {
       all[name] = *each.otherwise;
     } else {
-      throw InvalidInput(name + ": got none, allowed a number (" + std::string(each.help) + ")");
+      throw InvalidInput(name + ": missing, a number (" + std::string(each.help) + ")");
     }
   }
   return all;
@@ -125,7 +125,7 @@ std::vector<Values> values_below(const Participant& of, std::optional<double> po
     try {
       if (last) layer.values.try_emplace("thickness", std::numeric_limits<double>::infinity());
       if (!layer.values.contains("thickness")) {
-        throw InvalidInput("thickness: got none, allowed a number (only the last layer may have none: it has no end)");
+        throw InvalidInput("thickness: missing (only the last layer may have none: it has no end)");
       }
       all.push_back(all_values(layer, poisson, radius));
     } catch (const InvalidInput& error) {

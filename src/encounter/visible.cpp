@@ -1,5 +1,8 @@
 #include "stoss/encounter/visible.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 namespace stoss {
 namespace {
 
@@ -37,6 +40,27 @@ std::string hexadecimal(unsigned char byte) {
   return {'\\', 'x', digits[byte / 16U], digits[byte % 16U]};
 }
 
+std::string_view without_dashes(std::string_view word) {
+  return word.substr(std::min(word.find_first_not_of('-'), word.size()));
+}
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// Levenshtein's distance: letters to insert, remove or replace. Capitals are as good as small letters.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (lower(a[i]) == lower(b[j]) ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
 }  // namespace
 
 std::string shortened(std::string_view text, std::size_t most) {
@@ -69,6 +93,23 @@ std::string in_quotes(std::string_view text) {
   std::string quoted(1, '\'');
   quoted += visible(shortened(text));
   return quoted += '\'';
+}
+
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+  word = without_dashes(word);
+  constexpr std::size_t longest = 30;  // of what could be a misspelt option
+  if (word.size() > longest) return {};
+  std::size_t least = word.size() / 3 + 1;
+  std::string best;
+  for (const std::string& candidate : candidates) {
+    const std::string_view name = without_dashes(candidate);
+    const bool begins = word.size() >= 3 && name.substr(0, word.size()) == word;
+    const std::size_t difference = begins ? 0 : distance(word, name);
+    if (difference >= least) continue;
+    least = difference;
+    best = candidate;
+  }
+  return best;
 }
 
 }  // namespace stoss

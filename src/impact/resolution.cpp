@@ -14,14 +14,16 @@ namespace stoss {
 FixedResolution fixed_resolution(const Contact& contact, double speed, const Resolution& asked) {
   require_speed(speed);
   if (contact.unbounded && own_speed(contact, speed) > 1.0) {
-    throw InvalidInput("speed: got " + shown(speed) + " c at a soft half-space, allowed up to " +
+    throw InvalidInput("speed: got " + shown(speed) + " c at so soft a body, allowed up to " +
                        shown(speed / own_speed(contact, speed)) + " (the wave speed of the softer body)");
   }
   const auto& [step, nodes, asked_half_width, tail] = asked;
   if (step) {
+    constexpr double rounding = 1e-12;
     const double least = 5e-6 * std::min(1.0, time_scale(contact));
     require("step", *step,
-            {least, 1.0 / contact.cutoff, true, true, "5e-6 (of two bodies, less where they meet faster) to 1/cutoff"},
+            {least, (1.0 + rounding) / contact.cutoff, true, true,
+             "5e-6 (of two bodies, less where they meet faster) to 1/cutoff"},
             "time step in R/c; 0.25/cutoff is usual");
   }
   if (asked_half_width) {

@@ -95,7 +95,7 @@ Touching touching(const Encounter& encounter, std::optional<double> work_of_adhe
   if (ball.kind != "sphere") {
     throw InvalidInput("body: got a " + ball.kind + ", allowed a sphere (yield and adhesion are models of balls)");
   }
-  if (!ball.material) throw InvalidInput("material: got none, allowed one of the ball and of what it meets, in SI");
+  if (!ball.material) throw InvalidInput("material: missing (the ball needs one, and so does what it meets, in SI)");
   if (met.kind == "exponential" || met.modal) {
     throw InvalidInput("against: got " + met.kind + ", allowed wall, same, sphere, half-space or plate");
   }

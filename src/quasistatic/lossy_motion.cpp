@@ -89,7 +89,8 @@ State advance(State state, const Loss& loss, Function left) {
     }
     return motion.at(low);
   }
-  throw NotConverged("the motion of a lossy contact has no end");
+  throw NotConverged(
+      "quasistatic: the bodies did not separate within the steps that are computed (is loss_time too large?)");
 }
 
 }  // namespace

@@ -23,13 +23,26 @@ double curvature_met(const Contact& contact, bool first) {
 struct Affected {
   Estimate Restitution::*estimate;
   double Impact::*value;
+  int length;  ///< power of the unit of length in its unit
 };
 
-constexpr std::array affected{Affected{&Restitution::lost_fraction, &Impact::lost_fraction},
-                              Affected{&Restitution::contact_time, &Impact::contact_time},
-                              Affected{&Restitution::impulse_time, &Impact::impulse_time},
-                              Affected{&Restitution::max_force, &Impact::max_force},
-                              Affected{&Restitution::max_compression, &Impact::max_compression}};
+constexpr std::array affected{Affected{&Restitution::lost_fraction, &Impact::lost_fraction, 0},
+                              Affected{&Restitution::contact_time, &Impact::contact_time, 1},
+                              Affected{&Restitution::impulse_time, &Impact::impulse_time, 1},
+                              Affected{&Restitution::max_force, &Impact::max_force, -1},
+                              Affected{&Restitution::max_compression, &Impact::max_compression, 1}};
+
+/// An impact as another first body has it in its own units: of another curvature, it has another unit of length.
+/// @param length that unit, in the one of the options
+ImpactOptions in_units_of(const ImpactOptions& options, double length) {
+  ImpactOptions own = options;
+  if (own.resolution.step) *own.resolution.step /= length;
+  if (own.resolution.half_width) *own.resolution.half_width /= length;
+  if (!own.start) return own;
+  own.start->center /= length;
+  for (double& each : own.start->coordinate) each /= length;
+  return own;
+}
 
 }  // namespace
 
@@ -71,17 +84,18 @@ void add_doubts(const RefinableContact& contact, double speed, double stretch, c
   if (share == 0.0 && others.empty()) return;
   // Of few modes the energies above the cutoff, by which the ladder judges, may be smaller than what is gained or lost.
   result.lost_fraction.error += std::abs(finest.energy_error);
-  for (const auto& [estimate, value] : affected) (result.*estimate).error += share * std::abs(finest.*value);
+  for (const auto& [estimate, value, power] : affected) (result.*estimate).error += share * std::abs(finest.*value);
   for (const Contact& other : others) {
     ImpactOptions of_one{.resolution = Resolution(finest.resolution), .poll = options.poll};
     of_one.start = finest.start;
+    const double length = other.first->scale.length / resolved.first->scale.length;
     try {
-      const Impact changed = impact(other, speed, of_one);
-      for (const auto& [estimate, value] : affected) {
-        (result.*estimate).error += std::abs(changed.*value - finest.*value);
+      const Impact changed = impact(other, speed, in_units_of(of_one, length));
+      for (const auto& [estimate, value, power] : affected) {
+        (result.*estimate).error += std::abs(changed.*value * std::pow(length, power) - finest.*value);
       }
     } catch (const NotConverged&) {  // the body might be one that cannot be computed: nothing is certain
-      for (const auto& [estimate, value] : affected) {
+      for (const auto& [estimate, value, power] : affected) {
         (result.*estimate).error = std::numeric_limits<double>::infinity();
       }
     }

@@ -7,6 +7,8 @@
 #include <mutex>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "check.hpp"
@@ -191,9 +193,10 @@ Levels RefinableContact::levels(double speed, double longer, const Poll& poll, M
   while (usable.highest >= lowest_of_a_point && cutoff(usable.highest) > most) --usable.highest;
   usable.lowest = usable.highest - levels_of_a_point;
   if (usable.lowest < lowest_of_a_point) {
-    throw NotConverged("restitution: the contact of '" + name(probe) + "', some " +
+    throw NotConverged("'" + name(probe) + "': the contact would be some " +
                        shown(std::round(1000.0 * half_width) / 1000.0) +
-                       " R wide, is too wide for what is known of the point (use a lower speed)");
+                       " R wide, wider than its modal data describe (use a lower speed; a body file with the "
+                       "curvature of displacements reaches further)");
   }
   return usable;
 }
@@ -233,7 +236,18 @@ Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, 
   const Pair pair = pair_of(first, second);
   if (is_unbounded(*pair.probe.second)) {
     constexpr double margin = 1.25;
-    return contact_of(pair, cutoff, std::max(1.0, margin * expected_duration(pair, slowest) / shortest_contact), poll);
+    const double stretch = std::max(1.0, margin * expected_duration(pair, slowest) / shortest_contact);
+    const Body& second = *pair.probe.second;
+    const double most = second.near_side(pair.second_size * stretch, least_cutoff, poll).highest_cutoff /
+                        UnitRatios(second, *pair.probe.first).time;
+    constexpr std::string_view why = "in c/R of the first body; contacts that last so long meet too many waves above";
+    require("cutoff", cutoff, {0.0, most, false, true, "above 0 to " + shown(most)}, why);
+    try {
+      return contact_of(pair, cutoff, stretch, poll);
+    } catch (const InvalidInput& error) {  // of a lossy one, in its own units
+      if (std::string_view(error.what()).substr(0, 7) != "cutoff:") throw;
+      throw InvalidInput("cutoff: got " + shown(cutoff) + ", allowed a lower one (" + std::string(why) + ")");
+    }
   }
   if (pair.first_size == 1.0 && pair.second_size == 1.0) return contact_of(pair, cutoff, 1.0, poll);
   const double most = highest_cutoff(pair);

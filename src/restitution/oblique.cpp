@@ -13,6 +13,7 @@
 #include "restitution/neglected_coupling.hpp"
 #include "restitution/oblique_doubts.hpp"
 #include "restitution/oblique_errors.hpp"
+#include "restitution/own_choice.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/restitution/curve.hpp"
 
@@ -110,8 +111,10 @@ double refine(const RefinableContact& contact, const ObliqueOptions& options, st
   for (int level = levels.lowest; level <= levels.highest && !open.empty(); level += rungs) {
     std::vector<ObliqueImpact> impacts;
     try {
-      impacts = to_its_end(contact, contact.cutoff(level), speed, stretch, options.poll,
-                           [&](const Contact& resolved) { return impacts_at(resolved, level - levels.lowest); });
+      impacts = of_own_choice([&] {
+        return to_its_end(contact, contact.cutoff(level), speed, stretch, options.poll,
+                          [&](const Contact& resolved) { return impacts_at(resolved, level - levels.lowest); });
+      });
     } catch (const DoesNotEnd& error) {
       for (ObliqueRestitution* each : open) each->reason = error.what();
       break;

@@ -16,6 +16,7 @@
 #include "restitution/doubts.hpp"
 #include "restitution/error_bar.hpp"
 #include "restitution/lasting.hpp"
+#include "restitution/own_choice.hpp"
 
 namespace stoss {
 namespace {
@@ -52,8 +53,10 @@ int lowest_level(const RefinableContact& contact, const Vibration& vibration, co
   for (int level = levels.lowest; level <= levels.highest; ++level) {
     if (keeps(at_level(contact, level, poll), vibration)) return level;
   }
-  throw InvalidInput("vibration: got a mode above " + std::to_string(std::lround(contact.cutoff(levels.highest))) +
-                     ", allowed modes that are kept (or there is no such mode)");
+  throw InvalidInput("vibration: there is a mode above " +
+                     shown(0.01 * std::floor(100.0 * contact.cutoff(levels.highest))) +
+                     " c/R, the most that is computed at this speed, or one that the body does not have (let fewer "
+                     "modes vibrate)");
 }
 
 /// Initial energy over that of the translation.
@@ -135,10 +138,10 @@ std::string beyond_reach(const Outlook& next, double highest, bool vibrating) {
     return std::string(text.data());
   };
   const auto whole = [&](double x) { return x < 10.0 ? rounded(x) : std::to_string(std::lround(x)); };
-  std::string reason = "the tolerance asks for a higher cutoff than " + whole(highest);
-  if (next.cutoff < 1e5) reason += ", about " + whole(std::max(next.cutoff, highest));
-  return reason + (vibrating ? " (use a larger absolute error" : " (use a larger tolerance") +
-         (next.reachable < 0.5 ? ", from " + rounded(next.reachable) : "") + ")";
+  const std::string needed = next.cutoff < 1e5 ? "up to " + whole(std::max(next.cutoff, highest)) : "far above that";
+  return "did not reach the tolerance: that needs modes " + needed + " c/R, the limit is " + whole(highest) +
+         (vibrating ? "; try an absolute error" : "; try a tolerance") +
+         (next.reachable < 0.5 ? " of " + rounded(next.reachable) + " or larger" : " that is larger");
 }
 
 }  // namespace
@@ -152,9 +155,9 @@ void validate(const RefinableContact& contact, double speed, const Vibration& vi
   (void)approach(at_level(contact, lowest_level(contact, vibration, levels, poll), poll), speed, vibration);
 }
 
-Restitution restitution(const RefinableContact& contact, double speed, const RestitutionOptions& options) {
-  require_tolerance(options.tolerance, options.absolute);
-  require_speed(speed);
+namespace {
+
+Restitution refined(const RefinableContact& contact, double speed, const RestitutionOptions& options) {
   double stretch = contact.stretch(speed);
   const Levels levels = contact.levels(speed, room_to_last, options.poll);
   const int highest = levels.highest;
@@ -180,7 +183,8 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
         if (!options.vibration.empty()) of_one.start = approach(resolved, speed, options.vibration);
         return impact(resolved, speed, of_one);
       };
-      result.finest = to_its_end(contact, contact.cutoff(level), speed, stretch, options.poll, compute);
+      result.finest = of_own_choice(
+          [&] { return to_its_end(contact, contact.cutoff(level), speed, stretch, options.poll, compute); });
       correct(correction, at_level(contact, level, options.poll), result.finest);
     } catch (const DoesNotEnd&) {
       throw;
@@ -210,8 +214,9 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
     if (level < highest) next.rungs = std::min(next.rungs, highest - level);
   }
   if (result.runs.size() < 2) {
-    const std::string none = contact.at(0).unbounded ? "the half-space has more waves than are computed"
-                                                     : "fewer than two cutoffs could be computed";
+    const std::string none = contact.at(0).unbounded
+                                 ? "'" + contact.at(0).second->name + "' has more waves than are computed"
+                                 : "fewer than two cutoffs could be computed";
     throw NotConverged(trouble.empty() ? "restitution: " + none : trouble);
   }
   conclude(contact.at(0), speed, correction, result);
@@ -221,6 +226,14 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   result.converged = false;  // two or three runs that agree are not enough
   result.reason = trouble.empty() ? beyond_reach(next, contact.cutoff(highest), !options.vibration.empty()) : trouble;
   throw RestitutionNotConverged(std::move(result));
+}
+
+}  // namespace
+
+Restitution restitution(const RefinableContact& contact, double speed, const RestitutionOptions& options) {
+  require_tolerance(options.tolerance, options.absolute);
+  require_speed(speed);
+  return of_own_choice([&] { return refined(contact, speed, options); });
 }
 
 Restitution restitution(const BodyMaker& maker, double speed, const RestitutionOptions& options) {

@@ -3,6 +3,9 @@
 #include "table/computed_values.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string_view>
 
 #include "restitution/ordered_jobs.hpp"
 #include "stoss/errors.hpp"
@@ -11,6 +14,15 @@
 namespace stoss {
 namespace {
 
+/// Why a value is not as accurate as it is needed, in terms of the error of a table: nobody has given a tolerance.
+std::string reason(const Restitution& found) {
+  constexpr std::string_view of_tolerance = "did not reach the tolerance";
+  if (found.reason.compare(0, of_tolerance.size(), of_tolerance) != 0) return found.reason;
+  std::array<char, 32> error{};
+  (void)std::snprintf(error.data(), error.size(), "%.2g", found.restitution.error);
+  return std::string("its error stays at ") + error.data() + ", and the table needs less (allow a greater error)";
+}
+
 Estimate computed(const Request& request, double error, const std::string& place, const Poll& poll) {
   constexpr double least = 1e-9, no_tolerance = 1e-15;
   double absolute = 1.6 * error;
@@ -18,7 +30,7 @@ Estimate computed(const Request& request, double error, const std::string& place
     const Restitution found = best_restitution(*request.contact, request.speed,
                                                {.tolerance = no_tolerance, .absolute = absolute, .poll = poll});
     if (found.restitution.error <= error) return found.restitution;
-    if (!found.reason.empty()) throw NotConverged("restitution: at " + place + " " + found.reason);
+    if (!found.reason.empty()) throw NotConverged("restitution: at " + place + " " + reason(found));
     absolute *= 0.25;
   }
   throw NotConverged("restitution: at " + place + " it is so small that its error cannot be estimated");

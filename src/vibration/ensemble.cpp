@@ -28,7 +28,7 @@ Spectrum thermal(const RefinableContact& contact, double temperature, double hig
   const auto kept = [&](int level) { return kept_cutoff(contact.cutoff(level), loss); };
   const int top = std::max(0, contact.highest_level() - levels_above);
   require("highest", highest, {0.0, kept(top), false, true, "above 0 to " + shown(kept(top))},
-          "frequency up to which modes vibrate, in c/R of the first body");
+          "frequency up to which modes vibrate, in c/R of the first body; 10 where none is given");
   int level = 0;
   while (kept(level) < highest) ++level;
 

@@ -36,21 +36,29 @@ def test_refuses_in_one_line(stoss, tmp_path):
         archive.writestr("mass.npy", b"")
     for arguments, said in (
         (f"--body @{packed}", "an NPZ file, allowed JSON (in Python: stoss.ModalBody.read("),
-        (f"--body @{tmp_path}/none.json", "No such file"),
-        (f"--body @{tmp_path}", "Is a directory"),
-        (f"--body @{broken}", "curvature: got none"),
-        (f"--body @{wrong}", "no JSON document"),
-        (f"{SPHERE} --against @{wrong}", "no JSON document"),
+        (f"--body @{broken}", "curvature: missing"),
+        (f"--body @{wrong}", "not a JSON document"),
+        (f"{SPHERE} --against @{wrong}", "not a JSON document"),
         (f"--body @{FILES}/bar.json --radius 1", "radius: got --radius"),
-        (f"--body @{FILES}/bar.json --material 'structural steel'", "material: got --material"),
+        (f"--body @{FILES}/bar.json --material 'structural steel'", "material: the body file has one already"),
         (f"--body @{FILES}/bar.json --against disk", "against"),
-        (f"--body @{FILES}/beam_0.json", "plane"),
-        (f"--poisson 0.3 --body sphere --against @{FILES}/bar.json", "against material"),
+        (f"--body @{FILES}/beam_0.json", "flat"),
+        (f"--poisson 0.3 --body sphere --against @{FILES}/bar.json", "against: has a material"),
     ):
         result = stoss.run("restitution --speed 0.1", arguments)
         assert result.returncode == 3, (arguments, result.stderr)
         assert result.stdout == "" and result.stderr.count("\n") == 1
-        assert said in result.stderr and "allowed" in result.stderr, result.stderr
+        assert said in result.stderr, result.stderr
+
+
+@pytest.mark.parametrize("command", ["restitution", "impact", "oblique", "predict", "table", "distribution", "bounce"])
+def test_a_file_that_cannot_be_read_is_an_error_of_input_and_output(stoss, tmp_path, command):
+    for where in ("--body", f"{SPHERE} --against"):
+        for path, reason in ((tmp_path / "none.json", "No such file"), (tmp_path, "Is a directory")):
+            more = "--friction 0.1 --angle 20" if command == "oblique" else ""
+            result = stoss.run(command, "--speed 0.1", where, f"@{path}", more)
+            assert (result.returncode, result.stdout, result.stderr.count("\n")) == (4, "", 1), result.stderr
+            assert "cannot read" in result.stderr and reason in result.stderr
 
 
 def test_friction_needs_a_tangent(stoss, tmp_path):

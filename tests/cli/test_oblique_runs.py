@@ -85,7 +85,7 @@ def test_file_of_other_motion_is_refused(stoss, tmp_path):
     [
         (f"{BALL} --speed 0.05 --kinematics turning", "kinematics: got turning, allowed linear (that what is elastic"),
         (f"{BALL} --speed 0.05 --kinematics rolling", "kinematics: got rolling, allowed linear"),
-        ("oblique --body rod --friction 0.3 --speed 0.1", "friction: got 'rod', allowed only bodies whose surface"),
+        ("oblique --body rod --friction 0.3 --speed 0.1", "friction: not available for 'rod', but for disks"),
         (f"{BALL} --speed 0.05 --against exponential", "against: got exponential, allowed wall, same or a body"),
         (f"{BALL} --speed 2", "speed: got 2, allowed 1e-08 to 1 c"),
         (f"{BALL} --speed 0.05 --tangential 1.5", "tangential: got 1.5, allowed -1 to 1 c"),

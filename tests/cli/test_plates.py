@@ -52,17 +52,17 @@ def test_a_strip_in_plane_strain(stoss):
 @pytest.mark.parametrize(
     "against, name, said",
     [
-        ("plate", "against thickness", "none"),
+        ("plate", "against thickness", "missing"),
         ("plate,thickness=0", "against thickness", "0"),
         ("plate,thickness=-1", "against thickness", "-1"),
         ("plate,thickness=nan", "against thickness", "'nan'"),
         ("plate,thickness=inf", "against thickness", "'inf'"),
         ("plate,thickness=1,radius=2", "against", "allowed thickness, poisson, young, density, loss_time, yield, material"),
-        ("plate,thickness=1,material=glass", "against material", "allowed none, as the first body has none"),
+        ("plate,thickness=1,material=glass", "against: has a material", "first body is dimensionless"),
         ("plate,thickness=1/thickness=0", "against", "0"),
         ("plate,thickness=1//thickness=1", "against", "''"),
         ("plate,thickness=1/", "against", "''"),
-        ("plate,thickness=1/young=2/young=3", "against layer 2 thickness", "none"),
+        ("plate,thickness=1/young=2/young=3", "against layer 2 thickness", "missing"),
         ("plate,thickness=1/thickness=1,loss_time=0", "against", "allowed thickness, poisson, young, density, material"),
         ("plate" + "/thickness=1" * 20, "against layers", "21"),
         ("half-space/young=2", "against layers", "2, allowed 1 of a half-space"),
@@ -74,16 +74,16 @@ def test_refusals(stoss, against, name, said):
     assert (result.returncode, result.stdout) == (3, "")
     (line,) = result.stderr.splitlines()
     assert line.startswith(f"stoss: error: {name}") and f": got {said}" in line or said in line
-    assert "allowed" in line
+    assert "allowed" in line or said in line
 
 
 @pytest.mark.parametrize(
     "against, said",
     [
-        ("plate,material=glass", "against thickness: got none, allowed a number in m"),
+        ("plate,material=glass", "against thickness: missing (a material needs it too, in m)"),
         (f"plate,{GLASS}/thickness=1e-3,material=tin", "material: got 'tin', allowed structural steel"),
         (f"plate,{GLASS}/thickness=1e-3", "against: got plate without young"),
-        (LAMINATED.replace("loss_time=0,", ""), "against loss_time: got layers with 1.59"),
+        (LAMINATED.replace("loss_time=0,", ""), "against loss_time: the layers' materials have 1.59"),
     ],
 )
 def test_refusals_in_si(stoss, against, said):
@@ -94,6 +94,6 @@ def test_refusals_in_si(stoss, against, said):
 
 
 def test_help_says_how_layers_are_given(stoss):
-    said = stoss.run("restitution --help").stdout
-    assert "keys thickness, poisson, young, density, loss_time, yield, material\n" in said
+    said = " ".join(stoss.run("restitution --help").stdout.split())
+    assert "keys thickness, poisson, young, density, loss_time, yield, material and" in said
     assert "and layers below, as /KEY=NUMBER,...; the last may be a block" in said

@@ -199,15 +199,15 @@ def test_threads_change_nothing(stoss, document):
 
 
 @pytest.mark.parametrize("words, said", [
-    ("--poisson 0.33 --speed 0.01:0.1 --oblique", "friction: got none, allowed above 0 to 5"),
+    ("--poisson 0.33 --speed 0.01:0.1 --oblique", "friction: missing, above 0 to 5"),
     ("--poisson 0.33 --speed 0.01:0.1 --friction 0.3", "friction: got --friction, allowed only with --oblique"),
     ("--poisson 0.33 --speed 0.01:0.1 --tolerance 0.1", "tolerance: got --tolerance, allowed only with --oblique"),
     ("--body sphere --poisson 0.3 --speed 0.01:0.1 --friction 0.3 --oblique", "friction: got 0.3, allowed none"),
     ("--body sphere --poisson 0.3 --speed 0.01:0.2 --oblique", "allow a larger tolerance, from 0."),
     ("--body sphere --poisson 0.3 --speed 0.01:0.1 --oblique --format two-column", "allowed one speed for two columns"),
     ("--body sphere --poisson 0.3 --speed 0.01 --oblique", "speed: got '0.01', allowed SLOWEST:FASTEST"),
-    ("--body rod --speed 0.01:0.1 --oblique", "friction: got 'rod'"),
-    ("--body sphere --poisson 0.3 --speed 0.01:0.1 --oblique --format netcdf", "output: got none, allowed a file"),
+    ("--body rod --speed 0.01:0.1 --oblique", "friction: not available for 'rod'"),
+    ("--body sphere --poisson 0.3 --speed 0.01:0.1 --oblique --format netcdf", "output: missing, a file"),
     ("--poisson 0.33 --speed 0.01:0.1 --format netcdf -o x.nc", "format: got netcdf, allowed only with --oblique"),
 ])  # fmt: skip
 def test_refusals(stoss, words, said):

@@ -102,8 +102,7 @@ TEST(Plates, AreRefusedInOneLine) {
     return refusal_of(ball + R"({"kind":"plate",)" + numbers + "}}");
   };
   const auto layers = [&](const std::string& list) { return plate(R"("layers":[)" + list + "]"); };
-  EXPECT_EQ(refusal_of(ball + R"("plate"})"),
-            "against thickness: got none, allowed a number (thickness, from face to face)");
+  EXPECT_EQ(refusal_of(ball + R"("plate"})"), "against thickness: missing, a number (thickness, from face to face)");
   EXPECT_EQ(plate(R"("thickness":0)").substr(0, 25), "against thickness: got 0,");
   EXPECT_EQ(plate(R"("thickness":-1)").substr(0, 26), "against thickness: got -1,");
   EXPECT_EQ(plate(R"("thickness":null)"), "against thickness: got null, allowed a finite number");
@@ -112,9 +111,9 @@ TEST(Plates, AreRefusedInOneLine) {
             "against: got \"thickness\", allowed kind, layers, loss_time");
   EXPECT_EQ(plate(R"("layers":[])"), "against layers: got [], allowed a list of layers, from the top");
   EXPECT_EQ(layers("3"), "against layers 1: got 3, allowed an object");
-  EXPECT_EQ(layers("{}"), "against thickness: got none, allowed a number (thickness, from face to face)");
+  EXPECT_EQ(layers("{}"), "against thickness: missing, a number (thickness, from face to face)");
   EXPECT_EQ(layers(R"({"thickness":1},{},{"thickness":1})"),
-            "against layer 2 thickness: got none, allowed a number (only the last layer may have none: it has no end)");
+            "against layer 2 thickness: missing (only the last layer may have none: it has no end)");
   EXPECT_EQ(layers(R"({"thickness":1,"loss_time":0})"),
             "against layers 1: got \"loss_time\", allowed only what is of one layer");
   EXPECT_NE(layers(R"({"thickness":1},{"thickness":0})"), "");
@@ -126,7 +125,7 @@ TEST(Plates, AreRefusedInOneLine) {
       refusal_of(R"({"first":{"kind":"disk","poisson":0.3},"against":{"kind":"strip","layers":[]}})").substr(0, 23),
       "against: got \"layers\", ");
   EXPECT_EQ(refusal_of(R"({"first":{"kind":"plate","thickness":1,"poisson":0.3}})"),
-            "kind: got plate as the first body, allowed one that moves");
+            "body: a plate cannot be the first body, because it does not move (give it as what is met)");
 }
 
 TEST(Plates, AreRefusedMaterialsThatDoNotGoTogether) {
@@ -134,23 +133,23 @@ TEST(Plates, AreRefusedMaterialsThatDoNotGoTogether) {
     return refusal_of(steel_ball + R"({"kind":"plate","layers":[)" + list + "]}}");
   };
   EXPECT_EQ(layers(R"({"thickness":1,"material":"glass"},{"thickness":1})"),
-            "against layer 2 material: got none, allowed one, as the first layer has one");
+            "against layer 2 material: missing (the first layer has one, so all need one)");
   EXPECT_EQ(layers(R"({"thickness":1},{"thickness":1,"material":"glass"})"),
-            "against material: got none, allowed one, as the first body has one");
+            "against: needs a material too, because the first body has one (e.g. plate,material=glass)");
   EXPECT_EQ(layers(R"({"thickness":1,"material":"glass"},{"thickness":1,"material":"tin"})").substr(0, 20),
             "material: got 'tin',");
   const std::string lossy = layers(R"({"thickness":1,"material":"glass"},{"material":"PVB"})");
-  EXPECT_EQ(lossy.substr(0, 36), "against loss_time: got layers with 1");
-  EXPECT_NE(lossy.find("allowed one of the whole plate (give it; 0: no loss)"), std::string::npos) << lossy;
+  EXPECT_EQ(lossy.substr(0, 36), "against loss_time: the layers' mater");
+  EXPECT_NE(lossy.find("but one holds for the whole plate (give it; 0: no loss)"), std::string::npos) << lossy;
 }
 
 TEST(Plates, OfValuesInCppAreRefusedToo) {
   Encounter encounter{.first = {.kind = "sphere", .values = {{"poisson", 0.3}}},
                       .against = {.kind = "plate", .values = {{"thickness", 1.0}}, .below = {{}, {}}}};
   const auto refusal = [&] { return test::message_of<InvalidInput>([&] { validate(encounter); }); };
-  EXPECT_EQ(refusal().substr(0, 37), "against layer 2 thickness: got none, ");
+  EXPECT_EQ(refusal().substr(0, 34), "against layer 2 thickness: missing");
   encounter.against.below = {{.values = {{"loss_time", 0.1}}}};
-  EXPECT_EQ(refusal(), "against layer 2 loss_time: got one, allowed one of all layers of a plate");
+  EXPECT_EQ(refusal(), "against layer 2 loss_time: one holds for the whole plate (give it with the first layer)");
   encounter.against = {.kind = "half-space", .below = {{}}};
   EXPECT_EQ(refusal(), "against layers: got 2, allowed 1 of a half-space");
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {

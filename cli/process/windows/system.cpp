@@ -29,6 +29,12 @@ void prepare_streams() {
 
 bool stderr_is_terminal() { return _isatty(_fileno(stderr)) != 0; }
 
+std::size_t terminal_width() {
+  CONSOLE_SCREEN_BUFFER_INFO its{};
+  if (GetConsoleScreenBufferInfo(GetStdHandle(STD_OUTPUT_HANDLE), &its) == 0) return usual_width;
+  return static_cast<std::size_t>(its.srWindow.Right - its.srWindow.Left + 1);
+}
+
 void show(std::string_view text) noexcept { (void)std::fwrite(text.data(), 1, text.size(), stderr); }
 
 void catch_interrupts() { (void)std::signal(SIGINT, note); }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "stoss/cxx20.hpp"
 
@@ -20,5 +21,8 @@ namespace stoss {
 
 /// The beginning of the text on one line, in quotation marks.
 [[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// The candidate that a misspelt word may mean, whatever its dashes and capitals; "" if none is near.
+[[nodiscard]] std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace stoss

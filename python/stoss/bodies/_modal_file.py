@@ -32,7 +32,7 @@ def read_document(path: str | os.PathLike[str], nested: Nested) -> Any:
         return _unpacked(content, nested) if packed else of_json(content.decode("utf-8"))
     except Exception as error:  # there are no names for all that zipfile and NumPy find wrong with bytes
         kind = "an NPZ file of numbers and texts" if packed else "a JSON document"
-        raise InvalidInput(f"body: got none, allowed {kind} ({_line(error)})") from None
+        raise InvalidInput(f"body: not {kind} ({_line(error)})") from None
 
 
 def _line(error: Exception) -> str:

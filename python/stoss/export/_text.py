@@ -61,6 +61,8 @@ def with_error(value: float, error: float | None = None) -> str:
         return f"{value:.6g} ± {UNKNOWN}"
     if error is None or not math.isfinite(error) or error <= 0.0 or not math.isfinite(value):
         return f"{value:.6g}" if error is None or not math.isnan(error) else f"{value:.6g} ± nan"
+    if max(abs(value), error) >= 1e9:  # where digits before the point would go on and on
+        return f"{value:.6g} ± {error:.2g}"
     digits = max(0, 1 - math.floor(math.log10(error)))
     return f"{value:.{digits}f} ± {error:.{digits}f}"
 

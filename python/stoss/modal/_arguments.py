@@ -121,7 +121,7 @@ def _material(given: argparse.Namespace) -> None:
     constants = (given.young, given.poisson, given.density)
     if given.material is not None:
         if any(each is not None for each in constants):
-            raise InvalidInput("material: got a name and constants, allowed one of both")
+            raise InvalidInput("material: give either a name, or young, poisson and density, not both")
         from stoss import materials
 
         named = materials[given.material]

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from stoss.export._text import span
 from stoss.results._result import Column, Number, Result, RowResult, picture
+from stoss.results._si import InSi, Si
 
 if TYPE_CHECKING:
     from stoss.results._impact import Impact
@@ -128,7 +129,7 @@ class SphereField(Field):
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Trajectory(RowResult):
+class Trajectory(RowResult, InSi):
     """An impact in time. All arrays have one element for each row; an index gives one row, a slice the rows.
 
     Attributes:
@@ -144,6 +145,11 @@ class Trajectory(RowResult):
     _name: ClassVar[str] = "trajectory"
     _kind = "snapshot"
     _axis: ClassVar[str] = "time"
+    time_si = Si("Time, s.")
+    center_si = Si("Position of the centre of mass, m.")
+    velocity_si = Si("Velocity of the centre of mass, m/s.")
+    force_si = Si("Force: of a disk per thickness, N/m; of a sphere or a rod, N.")
+    contact_half_width_si = Si("Half-width of the contact, m.")
 
     impact: Impact = dataclasses.field(repr=False)
     time: NDArray[np.float64]
@@ -156,6 +162,11 @@ class Trajectory(RowResult):
     dissipated: NDArray[np.float64]
     unresolved: NDArray[np.float64]
     contact_half_width: NDArray[np.float64]
+
+    @property
+    def body(self) -> Any:
+        """The first body."""
+        return self.impact.body
 
     def __repr__(self) -> str:
         return f"Trajectory({len(self)} rows, time 0 to {self.time[-1]:.6g} {self._unit('time')}, of {self.impact!r})"

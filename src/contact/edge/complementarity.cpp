@@ -129,7 +129,8 @@ void Complementarity::solve_any(const std::vector<double>& q, double tolerance, 
     }
   }
   throw NotConverged(
-      "contact: no set of touching nodes satisfies the contact conditions (use another number of nodes)");
+      "contact: no set of touching nodes satisfies the contact conditions (another resolution may do; please report "
+      "the input)");
 }
 
 }  // namespace stoss

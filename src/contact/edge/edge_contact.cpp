@@ -193,7 +193,8 @@ void EdgeContact::solve_generally(const std::vector<double>& q, double scale, st
   for (std::size_t i = extent_; i < size; ++i) closure_[i] = law_.free_closure(i, -q[i]);
   const auto solved = [&] { return solve_all(*compliance_, law_, q, scale, poll_, closure_); };
   if (!solved() && !(begin_anew(q), solved())) {
-    throw NotConverged("contact: no forces at the nodes obey the law of contact (use another number of nodes)");
+    throw NotConverged(
+        "contact: no forces at the nodes obey the law of contact (another resolution may do; please report the input)");
   }
   extent_ = rigid_ = 0;
   for (std::size_t i = 0; i < size; ++i) {

@@ -33,7 +33,7 @@ void require_friction(bool mixing, const AxisRange& speeds, const RuleTableOptio
   }
   if (!options.friction) {
     throw InvalidInput(
-        "friction: got none, allowed above 0 to 5 (motion along the surface changes the restitution of these bodies, "
+        "friction: missing, above 0 to 5 (motion along the surface changes the restitution of these bodies, "
         "so a table is of one friction)");
   }
   require("friction", *options.friction, {0.0, 5.0, false, true, "above 0 to 5"}, "coefficient of Coulomb's law");

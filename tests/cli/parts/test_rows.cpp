@@ -39,6 +39,9 @@ TEST(Estimate, ErrorHasTwoDigits) {
   EXPECT_EQ(with_error(9.9999e-20, 1.37e-22), "1.0000(14)e-19");
   EXPECT_EQ(with_error(9.9e-20, 9.6e-20), "9.9(96)e-20");
   EXPECT_EQ(with_error(3.4e-280, 1e-281), "3.40(10)e-280");
+  EXPECT_EQ(with_error(3.4e280, 1e279), "3.40(10)e+280");
+  EXPECT_EQ(with_error(5e12, 3e14), "5e+12 ± 3e+14");
+  EXPECT_EQ(with_error(none, none), "not computed");
 }
 
 /// A result with what rows can hold.

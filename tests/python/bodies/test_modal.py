@@ -165,9 +165,9 @@ def test_refusals_are_one_line(changes, line):
 def test_refusals_of_files_name_them(tmp_path, body):
     path = tmp_path / "some.json"
     unknown = {**body.to_dict(), "colour": "red"}
-    for text, line in [("{", "body: got none, allowed a JSON document"),
-                       ('{"mass": 1, "mass": 2}', "body: got none, allowed a JSON document (the key 'mass' is there twice)"),
-                       ('{"modes": {"frequency": [1], "frequency": [2]}}', "body: got none, allowed a JSON document (the key 'frequency'"),
+    for text, line in [("{", "body: not a JSON document"),
+                       ('{"mass": 1, "mass": 2}', "body: not a JSON document (the key 'mass' is there twice)"),
+                       ('{"modes": {"frequency": [1], "frequency": [2]}}', "body: not a JSON document (the key 'frequency'"),
                        ("[1]", "body: got [1], allowed a mapping"),
                        (json.dumps(unknown), "body: got"), ("{}", "format: got")]:  # fmt: skip
         path.write_text(text)

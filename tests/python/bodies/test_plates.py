@@ -166,7 +166,7 @@ def test_a_plate_yields_as_a_block():
         (lambda: stoss.Plate(layers=[stoss.Layer()]), "thickness: got none"),
         (lambda: stoss.Plate(layers=[PANE, stoss.Layer(material=GLASS), PANE]), "layer 2 thickness: got none"),
         (lambda: stoss.Plate(layers=[PANE] * 21), "layers: got 21, allowed 1 to 20"),
-        (lambda: stoss.Plate(layers=[PANE, FILM]), "loss_time: got layers with "),
+        (lambda: stoss.Plate(layers=[PANE, FILM]), "loss_time: the layers' materials have "),
         (lambda: stoss.Plate(layers=[PANE, stoss.Layer(thickness=1)]), "layer 2 material: got none"),
         (lambda: loss(stoss.Disk(poisson=0.3), stoss.Plate(thickness=1)), "a stoss.HalfPlane or a stoss.Strip"),
         (lambda: loss(IN_SI, COATED), "two bodies with a material"),

@@ -168,7 +168,7 @@ def test_surface_energies_make_bodies_stick():
 REFUSALS = [
     (dict(body=stoss.Disk(poisson=0.3), against=None), "body: got a disk, allowed a sphere"),
     (dict(body=3), "body: got 3"),
-    (dict(body=stoss.Sphere(poisson=0.3), against=None), "material: got none, allowed one of the ball"),
+    (dict(body=stoss.Sphere(poisson=0.3), against=None), "material: missing .the ball needs one"),
     (dict(speed=1e9), "speed: got 1000000000, allowed 5.18"),
     (dict(speed=0), "speed: got 0, allowed 5.18"),
     (dict(speed="fast"), "speed: got 'fast', allowed a number"),

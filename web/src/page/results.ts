@@ -78,7 +78,7 @@ const noticeableCoupling = 0.01;
 /** What a reader should know about a result, one line each. */
 export function flags({ reason, converged, note, beyondSmallStrain, quantities }: Restitution): string[] {
   // The core's advice is about a tolerance, which is no input here.
-  const why = reason.replace(/ \(use a larger tolerance[^()]*\)$/, '') || 'tolerance not reached';
+  const why = reason.replace(/; try an? [^;]*$/, '') || 'tolerance not reached';
   const coupling = Math.abs(quantities.coupling_tangential_restitution?.value ?? 0);
   return [
     coupling <= noticeableCoupling ? ''

@@ -35,7 +35,7 @@ function restitution(encounter: Encounter, speed: number, tolerance: number): Re
         ? { value: 1.76e-5, unit: 'm', error: 3e-9 } : { value: 0.168405, unit: 'R', error: 5e-6 },
     },
     converged: encounter.kind !== 'rod',
-    reason: encounter.kind === 'rod' ? 'the tolerance asks for a higher cutoff than 362 (use a larger tolerance)' : '',
+    reason: encounter.kind === 'rod' ? 'did not reach the tolerance: that needs modes up to 632 c/R, the limit is 362; try a tolerance that is larger' : '',
     cutoff: 45,
     note: '',
     beyondSmallStrain: speed / barSpeed(encounter) > 0.5,
