@@ -66,7 +66,7 @@ TEST(COpen, TakesBodiesByTheirModes) {
   EXPECT_NEAR(one.restitution.value, other.restitution.value, one.restitution.error + other.restitution.error);
   EXPECT_EQ(stoss_open(R"({"first": {"kind": "modal", "body": {"format": "stoss modal body 1"}}})", &none),
             STOSS_INVALID_INPUT);
-  EXPECT_EQ(std::string(stoss_message()).rfind("first body mass: got none", 0), 0U) << stoss_message();
+  EXPECT_EQ(std::string(stoss_message()).rfind("first body mass: missing", 0), 0U) << stoss_message();
 }
 
 TEST(COpen, MakesPlatesOfLayers) {
@@ -82,7 +82,7 @@ TEST(COpen, MakesPlatesOfLayers) {
   ASSERT_EQ(stoss_open((ball + R"({"kind": "plate", "layers": [{"thickness": 1}, {"young": 2}]}})").c_str(), &coated),
             STOSS_OK);
   EXPECT_EQ(stoss_open((ball + R"({"kind": "plate"}})").c_str(), &none), STOSS_INVALID_INPUT);
-  EXPECT_EQ(std::string(stoss_message()).rfind("against thickness: got none", 0), 0U) << stoss_message();
+  EXPECT_EQ(std::string(stoss_message()).rfind("against thickness: missing", 0), 0U) << stoss_message();
 }
 
 TEST(COpen, TakesVibrationAlong) {

@@ -81,12 +81,12 @@ TEST(ModalFile, NamesWhatIsWrong) {
   refused({"bell.json format"}, [](Json& given) { given.erase("format"); });
   refused({"bell.json", "colour", "mass"}, [](Json& given) { given["colour"] = "red"; });
   for (const char* needed : {"mass", "curvature", "young", "poisson", "density", "compliance", "modes"}) {
-    refused({std::string("bell.json ") + needed, "got none"}, [&](Json& given) { given.erase(needed); });
+    refused({std::string("bell.json ") + needed, "missing"}, [&](Json& given) { given.erase(needed); });
   }
   refused({"curvature", "hollow"}, [](Json& given) { given["curvature"] = -3.0; });
   refused({"curvature", "2 numbers"}, [](Json& given) { given["curvature"] = {1.0, 2.0, 3.0}; });
   refused({"modes displacement", "numbers"}, [](Json& given) { given["modes"]["displacement"].push_back(1.0); });
-  refused({"modes frequency", "got none"}, [](Json& given) { given["modes"].erase("frequency"); });
+  refused({"modes frequency", "missing"}, [](Json& given) { given["modes"].erase("frequency"); });
   refused({"mass", "finite number"}, [](Json& given) { given["mass"] = "heavy"; });
   refused({"poisson"}, [](Json& given) { given["poisson"] = 0.6; });
   // A line end would begin a further line of headers.
@@ -154,9 +154,9 @@ TEST(ModalFile, NamesWhatIsWrongWithATangent) {
     test::expect_refusal([&] { (void)modal_body_from_json(given.dump(), "bell.json"); }, parts);
   };
   refused({"bell.json tangent", "colour"}, [](Json& given) { given["tangent"]["colour"] = 1.0; });
-  refused({"tangent compliance", "got none"}, [](Json& given) { given["tangent"].erase("compliance"); });
-  refused({"tangent inertia", "got none", "rotation"}, [](Json& given) { given["tangent"].erase("inertia"); });
-  refused({"tangent arm", "got none"}, [](Json& given) { given["tangent"].erase("arm"); });
+  refused({"tangent compliance", "missing"}, [](Json& given) { given["tangent"].erase("compliance"); });
+  refused({"tangent inertia", "missing", "rotation"}, [](Json& given) { given["tangent"].erase("inertia"); });
+  refused({"tangent arm", "missing"}, [](Json& given) { given["tangent"].erase("arm"); });
   refused({"tangential_displacement", "without a tangent"}, [](Json& given) { given.erase("tangent"); });
   refused({"tangential_displacement", "got none"},
           [](Json& given) { given["modes"].erase("tangential_displacement"); });
@@ -173,7 +173,7 @@ TEST(ModalFile, NamesWhatIsWrongWithATangent) {
     turning(given);
     given["tangent"] = {{"direction", {1.0, 0.0, 0.5}}, {"compliance", 0.0}};
   });
-  refused({"tangent direction", "got none"}, [&](Json& given) {
+  refused({"tangent direction", "missing"}, [&](Json& given) {
     turning(given);
     given["tangent"] = {{"compliance", 0.0}};
   });
@@ -205,12 +205,12 @@ TEST(ModalFile, StandsInADocument) {
 TEST(ModalFile, IsNoBodyOfASimulation) {
   const Json document{{"first", {{"kind", "modal"}, {"body", Json::parse(to_json(rough_steel_ball()))}}},
                       {"against", "same"}};
-  test::expect_refusal([&] { (void)moving_pair(encounter_from_json(document.dump())); }, {"body", "modes"});
+  test::expect_refusal([&] { (void)moving_pair(encounter_from_json(document.dump())); }, {"body", "modal"});
 }
 
 TEST(ModalFile, GoesWithMaterialsOnly) {
   Json document{{"first", {{"kind", "modal"}, {"body", file()}}}, {"against", {{"kind", "sphere"}, {"poisson", 0.3}}}};
-  test::expect_refusal([&] { (void)encounter_from_json(document.dump()); }, {"against material"});
+  test::expect_refusal([&] { (void)encounter_from_json(document.dump()); }, {"against: needs a material too"});
   document["against"] = "same";
   EXPECT_NO_THROW((void)encounter_from_json(document.dump()));
   document["first"]["radius"] = 2.0;

@@ -207,7 +207,7 @@ TEST(Predict, HasAQuantityForEachChannel) {
 
 TEST(Predict, RefusesWhatItsModelsDoNotKnow) {
   test::expect_refusal([&] { (void)predict(read(R"({"first": {"kind": "sphere", "poisson": 0.3}})"), {0.1}); },
-                       {"material: got none"});
+                       {"material: missing"});
   test::expect_refusal(
       [&] {
         (void)predict(read(R"({"first": {"kind": "disk", "material": "structural steel", "radius": 1}})"), {1.0});

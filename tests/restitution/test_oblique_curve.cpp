@@ -110,7 +110,7 @@ TEST(ObliqueCurve, RefusesBeforeItComputes) {
   refused(ball, {good}, {.threads = -1}, {"threads: got -1"});
   refused(ball, {good}, {.each = {.vibration = {{.order = 99, .index = 0, .energy = 0.1}}}},
           {"vibration: got mode (99, 0)"});
-  refused(bar, {good}, {}, {"friction: got 'rod"});
+  refused(bar, {good}, {}, {"friction: not available for 'rod"});
 }
 
 TEST(ObliqueCurve, QuantitiesHaveErrorsAndUnits) {

@@ -128,7 +128,7 @@ TEST(AdaptiveRules, SayWhatCannotBe) {
   refuse(ball, 0.001, 0.01, {.tolerance = 1e-6}, {"tolerance: got 1e-06"});
   refuse(ball, 0.001, 0.01, {.friction = 0.3}, {"friction: got 0.3, allowed none"});
   refuse(plates, 0.001, 0.01, {.friction = 0.3}, {"friction: got 0.3, allowed none"});
-  refuse(plate, 0.001, 0.01, {}, {"friction: got none"});
+  refuse(plate, 0.001, 0.01, {}, {"friction: missing"});
   refuse(plate, 0.001, 0.01, {.friction = 6.0}, {"friction: got 6"});
   refuse(plate, 0.001, 0.2, {.friction = 1.0}, {"speed: got up to 0.2 c, allowed up to 0.11"});
   refuse(ball, 0.001, 0.01, {.beyond = Beyond::law}, {"beyond"});

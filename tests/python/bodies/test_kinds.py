@@ -49,7 +49,7 @@ def test_what_is_left_out_is_what_the_core_takes(kind):
         if otherwise is not None:
             assert getattr(one, name) == otherwise
         elif KINDS[kind]["bounded"] or not of_material:
-            with pytest.raises(stoss.InvalidInput, match=f"^{name}: got none"):
+            with pytest.raises(stoss.InvalidInput, match=f"^{name}: missing"):
                 CLASSES[kind]()
         else:
             assert getattr(one, name) is None  # that of the first body

@@ -149,8 +149,8 @@ def test_a_plate_yields_as_a_block():
 @pytest.mark.parametrize(
     "call, said",
     [
-        (lambda: stoss.Plate(), "thickness: got none"),
-        (lambda: stoss.Plate(material=GLASS), "thickness: got none"),
+        (lambda: stoss.Plate(), "thickness: missing"),
+        (lambda: stoss.Plate(material=GLASS), "thickness: missing"),
         (lambda: stoss.Plate(thickness=0), "thickness: got 0"),
         (lambda: stoss.Plate(thickness=-1), "thickness: got -1"),
         (lambda: stoss.Plate(thickness=math.nan), "thickness: got nan"),
@@ -163,11 +163,11 @@ def test_a_plate_yields_as_a_block():
         (lambda: stoss.Plate(layers=[1]), "layers: got 1"),
         (lambda: stoss.Plate(layers=[PANE, 1]), "layers: got 1"),
         (lambda: stoss.Plate(thickness=2, layers=[stoss.Layer(thickness=1)]), "thickness: got 2"),
-        (lambda: stoss.Plate(layers=[stoss.Layer()]), "thickness: got none"),
-        (lambda: stoss.Plate(layers=[PANE, stoss.Layer(material=GLASS), PANE]), "layer 2 thickness: got none"),
+        (lambda: stoss.Plate(layers=[stoss.Layer()]), "thickness: missing"),
+        (lambda: stoss.Plate(layers=[PANE, stoss.Layer(material=GLASS), PANE]), "layer 2 thickness: missing"),
         (lambda: stoss.Plate(layers=[PANE] * 21), "layers: got 21, allowed 1 to 20"),
         (lambda: stoss.Plate(layers=[PANE, FILM]), "loss_time: the layers' materials have "),
-        (lambda: stoss.Plate(layers=[PANE, stoss.Layer(thickness=1)]), "layer 2 material: got none"),
+        (lambda: stoss.Plate(layers=[PANE, stoss.Layer(thickness=1)]), "layer 2 material: missing"),
         (lambda: loss(stoss.Disk(poisson=0.3), stoss.Plate(thickness=1)), "a stoss.HalfPlane or a stoss.Strip"),
         (lambda: loss(IN_SI, COATED), "two bodies with a material"),
         (lambda: stoss.atlas(BALL, against=stoss.Plate(thickness=2), speed=0.01), "in the atlas"),
@@ -178,4 +178,4 @@ def test_a_plate_yields_as_a_block():
 def test_refusals(call, said):
     with pytest.raises(stoss.InvalidInput) as caught:
         call()
-    assert said in str(caught.value) and "allowed" in str(caught.value) and "\n" not in str(caught.value)
+    assert said in str(caught.value) and "\n" not in str(caught.value)

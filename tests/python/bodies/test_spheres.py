@@ -160,11 +160,11 @@ def test_copies_are_the_same(bounce, uneven):
 @pytest.mark.parametrize(
     "make, said",
     [
-        (lambda: stoss.Sphere(), "poisson: got none"),
+        (lambda: stoss.Sphere(), "poisson: missing"),
         (lambda: stoss.Sphere(poisson=0.5), "poisson: got 0.5, allowed"),
         (lambda: stoss.Sphere(poisson=-0.96), "poisson: got -0.96, allowed"),
         (lambda: stoss.Sphere(poisson=0.3, radius=0), "radius: got 0, allowed"),
-        (lambda: stoss.Sphere(material=STEEL), "radius: got none"),
+        (lambda: stoss.Sphere(material=STEEL), "radius: missing"),
         (lambda: stoss.Sphere(poisson=0.2, material=STEEL, radius=1), "poisson: got 0.2, allowed none"),
         (lambda: stoss.restitution(BALL, against=stoss.Disk(poisson=0.3), speed=0.1), "against: got .* a sphere sph"),
         (lambda: stoss.restitution(BALL, against=stoss.Sphere(radius=1, material=STEEL), speed=0.1), "against: got"),

@@ -148,7 +148,7 @@ def refused(make, name, value):
     message = str(caught.value)
     assert message.isprintable() and len(message) < 300, message  # one line
     stem = re.escape(name.removesuffix("es").removesuffix("s"))
-    assert re.match(rf"(number of )?{stem}\w*( count)?: got .+, allowed .+", message), message
+    assert re.match(rf"(number of )?{stem}\w*( count)?: (got .+, allowed .+|missing.+)", message), message
     assert isinstance(caught.value, ValueError) and caught.value.__cause__ is None
     return message
 

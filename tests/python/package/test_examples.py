@@ -4,6 +4,9 @@ calls of stoss."""
 import importlib.util
 import itertools
 import re
+import runpy
+import subprocess
+import sys
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -53,6 +56,29 @@ def test_files(name, example):
         assert 0.01 < np.mean(np.any(pixels < 0.95, axis=-1)) < 0.6, f"{picture.name}: blank, or all ink"
         for half in itertools.chain(np.array_split(pixels, 2), np.array_split(pixels, 2, axis=1)):
             assert np.any(half < 0.5), f"{picture.name}: half of it is empty"
+
+
+SCRIPTS = sorted(path for path in EXAMPLES.rglob("*") if path.suffix in (".py", ".sh"))
+
+
+@pytest.mark.parametrize("option", ["--help", "--no-such-option"])
+@pytest.mark.parametrize("script", SCRIPTS, ids=lambda path: path.name)
+def test_answers_help_and_refuses_what_it_does_not_know(script, option, tmp_path, monkeypatch, capfd):
+    """Without writing anything, as the name of an option is no name of a file."""
+    monkeypatch.chdir(tmp_path)
+    if script.suffix == ".sh":
+        status = subprocess.run(["bash", script, option]).returncode
+    else:  # in this process, which has imported what takes long
+        monkeypatch.setattr(sys, "argv", [str(script), option])
+        with pytest.raises(SystemExit) as ended:
+            runpy.run_path(str(script), run_name="__main__")
+        status = ended.value.code
+    said = capfd.readouterr()
+    if option == "--help":
+        assert not status and script.name in said.out and said.err == ""
+    else:
+        assert status == 2 and said.out == "" and said.err
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize("name", FILES)

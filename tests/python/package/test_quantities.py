@@ -93,7 +93,13 @@ def test_rods_have_their_own_units_at_every_instant(tmp_path):
     assert "max_force_si[N]" in header(hit, tmp_path / "impact.csv") and "contact time 2" in repr(hit)
     path = hit.trajectory(every=10)
     expected = "time[L/c],center[L],velocity[c],force[EA],translation,vibration,stored,dissipated,unresolved"
-    assert header(path, tmp_path / "path.csv") == [*expected.split(","), "contact_half_width[L]"]
+    assert header(path, tmp_path / "path.csv") == [
+        *expected.split(","), "contact_half_width[L]",
+        "time_si[s]", "center_si[m]", "velocity_si[m/s]", "force_si[N]", "contact_half_width_si[m]",
+    ]  # fmt: skip
+    assert path.time_si[-1] == path.time[-1] * rod.scales.time and path.velocity_si[0] == pytest.approx(1.0, rel=1e-12)
+    with pytest.raises(AttributeError, match="no material"):
+        _ = stoss.impact(poisson=0.33, speed=0.1, cutoff=6).trajectory().time_si
     assert "R/c" not in repr(path)
 
 

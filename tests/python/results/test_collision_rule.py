@@ -229,7 +229,7 @@ def test_says_what_cannot_be(rule):
     for length in (1e-200, 1e200):
         scaled = rule.collide(v, w, np.multiply(length, n), friction=0.3)
         assert all(np.array_equal(one, other) for one, other in zip(scaled, whole))
-    refuse("friction: got none", lambda: stoss.collision_rule(poisson=0.33, speed=(0.01, 0.1)))
+    refuse("friction: missing", lambda: stoss.collision_rule(poisson=0.33, speed=(0.01, 0.1)))
     refuse("friction: got 0.3", lambda: stoss.collision_rule(BALL, speed=(1e-3, 1e-2), friction=0.3))
     refuse("speed", lambda: stoss.collision_rule(BALL, speed=0.1))
     refuse("beyond", lambda: stoss.collision_rule(BALL, speed=(1e-3, 1e-2), beyond="law"))

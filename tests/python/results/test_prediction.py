@@ -185,7 +185,7 @@ REFUSALS = [
     (dict(tolerance=2), "tolerance: got 2, allowed 1e-15 to 0.5"),
     (dict(threads=-1), "threads: got -1, allowed 0 to 1024"),
     (dict(against="wall"), "against: got 'wall', allowed None, 'same'"),
-    (dict(against=stoss.HalfSpace()), "against material: got none"),
+    (dict(against=stoss.HalfSpace()), "against: needs a material too"),
     (dict(against=stoss.ExponentialWall()), "against: got exponential, allowed wall, same"),
     (dict(against=stoss.Disk(poisson=0.3)), "against: got disk for a sphere"),
 ]  # fmt: skip
