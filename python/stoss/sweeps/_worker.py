@@ -99,6 +99,7 @@ class Worker:
     def _write(self, text: str) -> None:
         """One write; what the disk does not take whole is taken back."""
         data = text.encode("ascii")
+        self._require_unchanged()
         try:
             if os.write(self._descriptor, data) != len(data):
                 raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
@@ -107,6 +108,16 @@ class Worker:
                 os.ftruncate(self._descriptor, self._size)
             raise type(error)(error.errno, error.strerror, str(self.file)) from None
         self._size += len(data)
+
+    def _require_unchanged(self) -> None:
+        """Raise OSError where what is written would be in no file, or behind what another process has written."""
+        own = os.fstat(self._descriptor)
+        try:
+            there = os.path.samestat(own, os.stat(self.file)) and own.st_size == self._size
+        except FileNotFoundError:
+            there = False
+        if not there:
+            raise OSError(errno.ESTALE, "another process has removed, replaced or changed it", str(self.file))
 
     def append(self, key: str, inputs: Any, point: Sequence[float], row: Row) -> None:
         """Add a row, before the first of a case also what the case is."""

@@ -151,6 +151,31 @@ def test_same_value_twice(store):
         stoss.open_sweep(store)
 
 
+@pytest.mark.parametrize("change", ["removed", "replaced", "truncated", "appended", "folder"])
+def test_a_file_that_goes_under_its_worker(store, change):
+    """No row is written where nobody finds it."""
+    file = store / "a.csv"
+    key, cells = file.read_text().splitlines()[2].split()[2].rstrip(":"), stoss.open_sweep(store).rows[0, 0, 0].item()
+    with opened(store, "a") as worker:
+        if change == "removed":
+            file.unlink()
+        elif change == "replaced":
+            (store / "b").write_text("precious")
+            (store / "b").rename(file)
+        elif change == "truncated":
+            file.write_text("")
+        elif change == "appended":
+            with open(file, "a") as stream:
+                stream.write("precious")
+        else:
+            shutil.rmtree(store)
+        with pytest.raises(OSError, match="another process has removed, replaced or changed it") as error:
+            worker.append(key, {}, (0.01,), cells)
+        assert error.value.filename == str(file)
+        if change == "replaced":
+            assert file.read_text() == "precious"
+
+
 def test_rows_without_checksums_are_read_but_not_continued(made, store):
     """As stoss 1.0 has written them."""
     lines = (store / "a.csv").read_text().splitlines()
