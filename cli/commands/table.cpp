@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -115,9 +116,9 @@ void warn(const TableArguments& arguments, const TableJob& job) {
   }
   if (arguments.predicted) {
     arguments.output.warn(
-        fmt::format("yield and adhesion are models, which differ from eps by up to {:.2g}: this and the uncertainty of "
+        fmt::format("yield and adhesion are models, which differ from eps by up to {}: this and the uncertainty of "
                     "the constants (stoss predict) are not in the errors",
-                    job.by_models.value_or(0.0)));
+                    std::ceil(1e3 * job.by_models.value_or(0.0)) / 1e3));
     return;
   }
   if (const Yielding its = yielding(job.encounter); its.is_below(job.speeds[1])) {

@@ -124,8 +124,8 @@ class Prediction(Result):
         of = f"{shown(self.body, self.against)}{met}, speed={span(self.speed)} m/s"
         if np.ndim(self.restitution):
             return f"Prediction({np.size(self.speed)} values, {of}: restitution {span(self.restitution)})"
-        parts = (self.restitution_error, self.by_models, self.by_constants)
-        numerical, models, constants = (f"{float(each):.1g}" for each in parts)
+        parts = [float(each) for each in (self.restitution_error, self.by_models, self.by_constants)]
+        numerical, models, constants = (f"{each:.1g}" for each in parts)
         uncertain = f"± {numerical} numerical, ± {models} models, ± {constants} constants"
         return f"Prediction({of}: restitution {_rounded(self.restitution, max(parts))}, {uncertain}, most to {self.dominant})"
 
