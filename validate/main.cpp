@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include "modal_report.hpp"
 #include "plate_report.hpp"
 #include "reference.hpp"
 #include "report.hpp"
@@ -61,6 +62,14 @@ int run(int argc, char** argv) {
     validate::make_plate_reference(argv[2]);
     return 0;
   }
+  if (first == "--make-unseen-plate-reference" && argc == 3) {
+    validate::make_unseen_plate_reference(argv[2]);
+    return 0;
+  }
+  if (first == "--make-modal-reference" && argc == 3) {
+    validate::make_modal_reference(argv[2]);
+    return 0;
+  }
   if (first == "--make-lossy-reference" && argc == 3) {
     validate::make_lossy_reference(argv[2]);
     return 0;
@@ -74,17 +83,21 @@ int run(int argc, char** argv) {
     return 0;
   }
   if (first == "--plates" && argc == 2) return plates() ? 0 : 1;
+  if (first == "--modal" && argc == 2) return validate::write_modal(std::cout) ? 0 : 1;
   if (argc == 1) return report("");
   if (argc == 2 && first.rfind(markdown, 0) == 0) return report(first.substr(markdown.size()));
-  std::cerr << "usage: stoss_validate [--markdown=FILE | --plates]\n       stoss_validate --make-reference FILE\n"
-               "       stoss_validate --make-unseen-reference FILE\n"
-               "       stoss_validate --make-pair-reference FILE\n"
-               "       stoss_validate --make-sphere-reference FILE\n"
-               "       stoss_validate --make-half-space-reference FILE\n"
-               "       stoss_validate --make-plate-reference FILE\n"
-               "       stoss_validate --make-lossy-reference FILE\n"
-               "       stoss_validate --make-vibrating-reference FILE\n"
-               "       stoss_validate --make-oblique-reference FILE\n";
+  std::cerr
+      << "usage: stoss_validate [--markdown=FILE | --plates | --modal]\n       stoss_validate --make-reference FILE\n"
+         "       stoss_validate --make-unseen-reference FILE\n"
+         "       stoss_validate --make-pair-reference FILE\n"
+         "       stoss_validate --make-sphere-reference FILE\n"
+         "       stoss_validate --make-half-space-reference FILE\n"
+         "       stoss_validate --make-plate-reference FILE\n"
+         "       stoss_validate --make-unseen-plate-reference FILE\n"
+         "       stoss_validate --make-modal-reference FILE\n"
+         "       stoss_validate --make-lossy-reference FILE\n"
+         "       stoss_validate --make-vibrating-reference FILE\n"
+         "       stoss_validate --make-oblique-reference FILE\n";
   return 2;
 }
 

@@ -59,23 +59,9 @@ stoss::Estimate restitution_of(const stoss::Estimate& lost) {
   return {restitution, lost.error / (std::sqrt(squared + lost.error) + restitution)};
 }
 
-}  // namespace
-
-stoss::RefinableContact contact_of(const PlateCase& its) { return {ball_of(its), plate_of(its)}; }
-
-std::string text_of(const std::vector<stoss::Layer>& layers) {
-  std::ostringstream out;
-  const char* between = "";
-  for (const stoss::Layer& layer : layers) {
-    out << between << layer.thickness << ':' << layer.poisson << ':' << layer.young << ':' << layer.density;
-    between = ";";
-  }
-  return out.str();
-}
-
-std::vector<PlatePoint> read_plates() {
+std::vector<PlatePoint> read_file(const std::string& name) {
   std::vector<PlatePoint> points;
-  for (const CsvRow& row : stoss::test::read_csv("../../validate/data/reference_plates.csv")) {
+  for (const CsvRow& row : stoss::test::read_csv("../../validate/data/" + name)) {
     PlatePoint point;
     point.its = {.strip = row.text("body") == "disk",
                  .rigid = row.number("rigid_body") == 1.0,
@@ -96,6 +82,24 @@ std::vector<PlatePoint> read_plates() {
     points.push_back(point);
   }
   return points;
+}
+
+}  // namespace
+
+std::vector<PlatePoint> read_plates() { return read_file("reference_plates.csv"); }
+
+std::vector<PlatePoint> read_unseen_plates() { return read_file("reference_plates_unseen.csv"); }
+
+stoss::RefinableContact contact_of(const PlateCase& its) { return {ball_of(its), plate_of(its)}; }
+
+std::string text_of(const std::vector<stoss::Layer>& layers) {
+  std::ostringstream out;
+  const char* between = "";
+  for (const stoss::Layer& layer : layers) {
+    out << between << layer.thickness << ':' << layer.poisson << ':' << layer.young << ':' << layer.density;
+    between = ";";
+  }
+  return out.str();
 }
 
 std::vector<PlatePoint> read_plates_of_elements() {

@@ -34,6 +34,9 @@ struct PlatePoint {
 /// Those of validate/data/reference_plates.csv. @throws std::runtime_error as read_points
 std::vector<PlatePoint> read_plates();
 
+/// Those of validate/data/reference_plates_unseen.csv, to which no constant was fitted. @throws as read_plates
+std::vector<PlatePoint> read_unseen_plates();
+
 /// Those of finite elements, tests/data/plate_restitution.csv: 1 − ε². @throws std::runtime_error as read_points
 std::vector<PlatePoint> read_plates_of_elements();
 

@@ -1,9 +1,7 @@
 #include "plate_report.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 #include <exception>
 #include <functional>
@@ -14,6 +12,7 @@
 
 #include "plate_text.hpp"
 #include "restitution/ordered_jobs.hpp"
+#include "tally_rows.hpp"
 
 namespace validate {
 namespace {
@@ -78,16 +77,6 @@ std::vector<PlateAnswer> answers_to(const std::vector<PlatePoint>& points) {
   return answers;
 }
 
-std::string cell(const char* format, double value) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  std::string all = " ";
-  all += text.data();
-  return all += " |";
-}
-
-double percent(int part, int all) { return 100.0 * part / all; }
-
 Tally tally_of(const std::vector<PlatePoint>& points, const std::vector<PlateAnswer>& answers, const Which& is,
                Quantity quantity) {
   std::vector<Comparison> all;
@@ -96,13 +85,6 @@ Tally tally_of(const std::vector<PlatePoint>& points, const std::vector<PlateAns
     if (is(points[i].its) && reference) all.push_back({answers[i].its.value[quantity], *reference});
   }
   return tally(all);
-}
-
-void write_tally(std::ostream& out, const char* name, const char* quantity, const Tally& all) {
-  out << "| " << name << " | " << quantity << " | " << all.points << " |"
-      << cell("%.1f %%", percent(all.within, all.points)) << cell("%.1f %%", percent(all.strictly_within, all.points))
-      << cell("%.2f", all.greatest) << (std::isfinite(all.padding) ? cell("%.1f", all.padding) : " – |") << ' '
-      << all.blurred << " |\n";
 }
 
 void write_times(std::ostream& out, const JudgedPlates& judged, const char* name, bool slow) {
@@ -136,8 +118,9 @@ void write_point(std::ostream& out, const PlatePoint& point, const PlateAnswer& 
 
 JudgedPlates judge_plates() {
   std::cerr << "plates\n";
-  JudgedPlates judged{read_plates(), read_plates_of_elements(), {}, {}};
+  JudgedPlates judged{read_plates(), read_unseen_plates(), read_plates_of_elements(), {}, {}, {}};
   judged.answers = answers_to(judged.points);
+  judged.at_unseen = answers_to(judged.unseen);
   judged.at_elements = answers_to(judged.elements);
   return judged;
 }
@@ -149,25 +132,28 @@ void write_plate_times(std::ostream& out, const JudgedPlates& judged) {
 }
 
 bool write_plates(std::ostream& out, const JudgedPlates& judged) {
-  const auto& [points, elements, answers, at_elements] = judged;
+  const auto& [points, unseen, elements, answers, at_unseen, at_elements] = judged;
   out << text::plate_tally;
-  const Tally all = tally_of(points, answers, shares().front().is, lost_fraction);
-  for (const Share& share : shares()) {
-    write_tally(out, share.name, quantity_names[lost_fraction], tally_of(points, answers, share.is, lost_fraction));
-  }
-  for (std::size_t quantity = restitution_coefficient; quantity < quantities; ++quantity) {
-    write_tally(out, "all", quantity_names[quantity],
-                tally_of(points, answers, shares().front().is, static_cast<Quantity>(quantity)));
-  }
+  const auto write_all = [&out](const std::vector<PlatePoint>& its, const std::vector<PlateAnswer>& said) {
+    for (const Share& share : shares()) {
+      write_tally(out, share.name, quantity_names[lost_fraction], tally_of(its, said, share.is, lost_fraction));
+    }
+    for (std::size_t quantity = restitution_coefficient; quantity < quantities; ++quantity) {
+      write_tally(out, "all", quantity_names[quantity],
+                  tally_of(its, said, shares().front().is, static_cast<Quantity>(quantity)));
+    }
+    return honest(tally_of(its, said, shares().front().is, lost_fraction));
+  };
+  bool all_honest = write_all(points, answers);
   const Tally by_elements = tally_of(elements, at_elements, shares().front().is, lost_fraction);
   write_tally(out, "finite elements", quantity_names[lost_fraction], by_elements);
-  const auto not_too_small = [](Tally its) {
-    its.padding = 0.0;
-    return honest(its);
-  };
-  const bool all_honest = not_too_small(all) && not_too_small(by_elements);
+  all_honest = honest(by_elements) && all_honest;
+  out << text::unseen_plate_tally;
+  all_honest = write_all(unseen, at_unseen) && all_honest;
   out << "\nThe conditions are" << (all_honest ? " met.\n" : " **not met**.\n") << text::plate_points;
   for (std::size_t i = 0; i < points.size(); ++i) write_point(out, points[i], answers[i]);
+  out << text::unseen_plate_points;
+  for (std::size_t i = 0; i < unseen.size(); ++i) write_point(out, unseen[i], at_unseen[i]);
   out << text::plate_elements;
   for (std::size_t i = 0; i < elements.size(); ++i) write_point(out, elements[i], at_elements[i]);
   return all_honest;

@@ -17,8 +17,8 @@ struct PlateAnswer {
 
 /// Points, and what restitution() said of them.
 struct JudgedPlates {
-  std::vector<PlatePoint> points, elements;
-  std::vector<PlateAnswer> answers, at_elements;
+  std::vector<PlatePoint> points, unseen, elements;
+  std::vector<PlateAnswer> answers, at_unseen, at_elements;
 };
 JudgedPlates judge_plates();
 

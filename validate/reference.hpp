@@ -23,6 +23,12 @@ void make_half_space_reference(const std::string& path);
 /// Computes those of plates: validate/data/reference_plates.csv. @throws std::runtime_error as above
 void make_plate_reference(const std::string& path);
 
+/// The same of others, much finer: validate/data/reference_plates_unseen.csv. @throws std::runtime_error as above
+void make_unseen_plate_reference(const std::string& path);
+
+/// Computes those of bodies by their modes: validate/data/reference_modal.csv. @throws std::runtime_error as above
+void make_modal_reference(const std::string& path);
+
 /// Computes those of lossy spheres and disks: validate/data/reference_lossy.csv. @throws std::runtime_error as above
 void make_lossy_reference(const std::string& path);
 

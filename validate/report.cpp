@@ -10,6 +10,7 @@
 
 #include "introduction.hpp"
 #include "judgement.hpp"
+#include "modal_report.hpp"
 #include "oblique_report.hpp"
 #include "plate_report.hpp"
 #include "stoss/bodies/rod.hpp"
@@ -208,6 +209,7 @@ bool write_report(std::ostream& out) {
   const bool rod = write_rod(out);
   all_honest = write_oblique(out, oblique) && all_honest;
   all_honest = write_plates(out, plates) && all_honest;
+  all_honest = write_modal(out) && all_honest;
   out << text::points;
   write_points(out, wall.points, wall.answers[by_default]);
   out << text::unseen_points;

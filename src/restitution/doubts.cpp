@@ -79,12 +79,10 @@ void add_doubts(const RefinableContact& contact, double speed, double stretch, c
                 Restitution& result) {
   const Impact& finest = result.finest;
   const Contact& resolved = contact.at(result.runs.back().cutoff, stretch, options.poll);
-  const double share = neglected_share(resolved, finest.max_half_width);
   const std::vector<Contact> others = alternatives(resolved, Affects::both);
-  if (share == 0.0 && others.empty()) return;
+  if (others.empty()) return;
   // Of few modes the energies above the cutoff, by which the ladder judges, may be smaller than what is gained or lost.
   result.lost_fraction.error += std::abs(finest.energy_error);
-  for (const auto& [estimate, value, power] : affected) (result.*estimate).error += share * std::abs(finest.*value);
   for (const Contact& other : others) {
     ImpactOptions of_one{.resolution = Resolution(finest.resolution), .poll = options.poll};
     of_one.start = finest.start;

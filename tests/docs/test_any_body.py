@@ -35,9 +35,9 @@ def test_bars_and_balls():
     names = ("bar", "hollow_sphere", "hollow_sphere_mesh", "sphere")
     bar, hollow, meshed, sphere = (f"--body @{BODIES}/{name}.json" for name in names)
     assert lost(f"{bar} --against same --speed 0.05") == pytest.approx((2.36e-4, 0.16e-4), rel=0.1)
-    assert lost(f"{bar} --against same --speed 5") == pytest.approx((2.53e-2, 0.08e-2), rel=0.1)
+    assert lost(f"{bar} --against same --speed 5") == pytest.approx((2.53e-2, 0.031e-2), rel=0.1)
     exact = lost(f"{hollow} --speed 0.5")
-    assert exact == pytest.approx((7.702e-4, 1.4e-6), rel=0.1) and "7.702(14)·10⁻⁴" in PAGE
+    assert exact == pytest.approx((7.702e-4, 1.3e-6), rel=0.1) and "7.702(13)·10⁻⁴" in PAGE
     of_mesh = lost(f"{meshed} --speed 0.5")
     assert of_mesh == pytest.approx((7.4e-4, 3.5e-4), rel=0.1) and "7.4(35)·10⁻⁴" in PAGE
     assert abs(of_mesh[0] - exact[0]) < of_mesh[1]
@@ -53,4 +53,4 @@ def test_plate_of_sixty_thicknesses():
     assert off < finite["lost_fraction_error"] < 0.1 * finite["lost_fraction"]
     assert finite["contact_time_si"] == pytest.approx(infinite["contact_time_si"], rel=0.02)
     assert f"{finite['lost_fraction']:.3f}({1e3 * finite['lost_fraction_error']:.0f}) of its energy" in PAGE
-    assert f"{infinite['lost_fraction']:.5f}(2)" in PAGE
+    assert f"{infinite['lost_fraction']:.6f}(2)" in PAGE

@@ -11,6 +11,7 @@
 #include "bodies/modal/alternatives.hpp"
 #include "bodies/modal/point_modes.hpp"
 #include "bodies/modal/point_surface.hpp"
+#include "bodies/surface/residual.hpp"
 #include "stoss/bodies/half_space.hpp"
 
 namespace stoss {
@@ -39,14 +40,32 @@ std::vector<Body> made_all(const std::vector<ModalBody>& all, const ModalBody& i
   return bodies;
 }
 
+/// The body with another surface of the same curvature, recessed by ¼ H³r⁴ more: a cylinder is, beside a sphere of its
+/// mean curvature, and less by half of it a paraboloid. A point tells none of them from the others, and in (Ha)² they
+/// differ by nothing else (docs/theory/any_body.md).
+Body flatter_sided(Body body) {
+  body.surface = [round = body.surface](const ContactPoints& points) {
+    constexpr double of_a_cylinder = 0.25;
+    Surface surface = round(points);
+    for (std::size_t i = 0; i < points.count; ++i) {
+      const double distance = lateral_distance(points, i);
+      surface.recess[i] += of_a_cylinder * std::pow(distance, 4);
+    }
+    return surface;
+  };
+  return body;
+}
+
 Knowledge knowledge_of(const ModalBody& its, double cutoff, const PointModes& modes) {
   Knowledge known;
   known.complete_to = its.complete_to * own_length(its) / own_speed(its);
   known.reach = its.has_bends ? modal::reach : modal::reach_of_pistons;
   known.reach_along = its.tangent && its.tangent->has_bends ? known.reach : modal::reach_of_pistons;
-  // By what lies further off on a curved surface, of which the two radii say nothing.
-  if (its.curvature > 0.0) known.neglected = [](double half_width) { return half_width * half_width; };
-  known.alternatives = [its, cutoff](double other) { return made_all(modal::alternatives(its, other), its, cutoff); };
+  known.alternatives = [its, cutoff](double other) {
+    std::vector<Body> all = made_all(modal::alternatives(its, other), its, cutoff);
+    if (its.curvature > 0.0) all.push_back(flatter_sided(made(its, cutoff)));
+    return all;
+  };
   known.alternatives_along = [its, cutoff](double other) {
     std::vector<Body> all = made_all(modal::alternatives_along(its), its, cutoff);
     const Unevenness uneven = modal::unevenness(its, other);

@@ -1,0 +1,119 @@
+// Errors on plates and of bodies by their modes are honest, and not padded: impacts to which no constant was fitted,
+// and what far finer runs, or the sphere itself, gave (docs/validation.md).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/half_space.hpp"
+#include "stoss/bodies/modal_body.hpp"
+#include "stoss/bodies/plate.hpp"
+#include "stoss/bodies/sphere.hpp"
+#include "stoss/restitution/curve.hpp"
+#include "support/csv.hpp"
+#include "support/modal_sphere.hpp"
+
+namespace stoss {
+namespace narrow_errors {
+namespace {
+
+struct Judged {
+  int points = 0, within = 0;
+  std::vector<double> padding;  // estimated over true error
+
+  void add(const Estimate& found, double reference, double uncertainty) {
+    const double off = std::abs(found.value - reference);
+    ++points;
+    within += off <= found.error + uncertainty ? 1 : 0;
+    if (uncertainty <= 0.1 * found.error) padding.push_back(found.error / off);
+  }
+
+  void expect_honest() {
+    EXPECT_GE(within, 0.95 * points);
+    ASSERT_GE(padding.size(), 10U);
+    std::sort(padding.begin(), padding.end());
+    EXPECT_LE(padding[padding.size() / 2], 10.0);
+  }
+};
+
+Restitution best_of(const RefinableContact& contact, double speed) { return best_restitution(contact, speed, {}); }
+
+/// h:ν:E:ρ of each, downwards.
+std::vector<Layer> layers_of(const std::string& text) {
+  std::vector<Layer> layers;
+  std::istringstream in(text);
+  char colon = ':';
+  for (Layer its; in >> its.thickness >> colon >> its.poisson >> colon >> its.young >> colon >> its.density;) {
+    layers.push_back(its);
+    in >> colon;
+  }
+  return layers;
+}
+
+RefinableContact on_a_plate(const test::CsvRow& row) {
+  const std::vector<Layer> layers = layers_of(row.text("layers"));
+  const Layer& top = layers.front();
+  const double poisson = row.number("poisson"), loss_time = row.number("loss_time");
+  const double its_loss_time = row.number("plate_loss_time");
+  const bool round = row.text("body") == "sphere";
+  const BodyMaker ball = round ? sphere(Sphere{.poisson = poisson, .loss_time = loss_time})
+                               : disk(Disk{.poisson = poisson, .loss_time = loss_time});
+  const BodyMaker flat =
+      round
+          ? plate(Plate{
+                top.thickness, top.poisson, top.young, top.density, its_loss_time, {layers.begin() + 1, layers.end()}})
+          : strip(Strip{top.thickness, top.poisson, top.young, top.density, its_loss_time});
+  return {row.number("rigid_body") == 1.0 ? rigid(ball) : ball, flat};
+}
+
+TEST(Errors, OfBallsOnPlatesAreNarrow) {
+  Judged judged;
+  for (const auto& row : test::read_csv("../../validate/data/reference_plates_unseen.csv")) {
+    if (row.number("lost_fraction") == 1.0) continue;  // a ball that stays loses all
+    judged.add(best_of(on_a_plate(row), row.number("speed")).lost_fraction, row.number("lost_fraction"),
+               row.number("uncertainty"));
+  }
+  judged.expect_honest();
+}
+
+RefinableContact against(const test::CsvRow& row, const BodyMaker& body) {
+  const double size = row.number("size"), poisson = row.number("its_poisson");
+  const double young = row.number("its_young"), density = row.number("its_density");
+  const std::string& what = row.text("against");
+  if (what == "sphere") return {body, sphere(Sphere{poisson, size, young, density})};
+  if (what == "half_space") return {body, half_space(HalfSpace{poisson, young, density})};
+  if (what == "plate") return {body, plate(Plate{size, poisson, young, density})};
+  if (what == "its like") return {body, body};
+  return RefinableContact(body);
+}
+
+// Most of them flatter than a sphere near the point, or with numbers that are off: neither is told.
+TEST(Errors, OfBodiesByTheirModesAreNarrow) {
+  Judged all, flat;
+  for (const auto& row : test::read_csv("../../validate/data/reference_modal.csv")) {
+    ModalBody body = test::modal_sphere(row.number("poisson"), row.number("complete_to"), row.number("bends") == 1.0);
+    body.compliance += row.number("compliance_off");
+    body.compliance_error = row.number("compliance_error");
+    body.complete_to *= 1.0 + row.number("frequency_error");
+    for (PointMode& mode : body.modes) {
+      mode.omega_error = row.number("frequency_error") * mode.omega;
+      mode.omega *= 1.0 + row.number("frequency_off");
+      mode.displacement_error = row.number("displacement_error") * std::abs(mode.displacement);
+      mode.displacement *= 1.0 + row.number("displacement_off");
+    }
+    const Estimate found = best_of(against(row, modal_body(body)), row.number("speed")).lost_fraction;
+    all.add(found, row.number("lost_fraction"), row.number("uncertainty"));
+    const bool on_flat = row.text("against") == "half_space" || row.text("against") == "plate";
+    if (on_flat) flat.add(found, row.number("lost_fraction"), row.number("uncertainty"));
+  }
+  all.expect_honest();
+  flat.expect_honest();
+}
+
+}  // namespace
+}  // namespace narrow_errors
+}  // namespace stoss

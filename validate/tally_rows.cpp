@@ -1,0 +1,25 @@
+#include "tally_rows.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <ostream>
+
+namespace validate {
+
+std::string cell(const char* format, double value) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  std::string all = " ";
+  all += text.data();
+  return all += " |";
+}
+
+void write_tally(std::ostream& out, const char* bodies, const char* quantity, const Tally& all) {
+  const auto percent = [&all](int part) { return cell("%.1f %%", 100.0 * part / all.points); };
+  out << "| " << bodies << " | " << quantity << " | " << all.points << " |" << percent(all.within)
+      << percent(all.strictly_within) << cell("%.2f", all.greatest)
+      << (std::isfinite(all.padding) ? cell("%.1f", all.padding) : " – |") << ' ' << all.blurred << " |\n";
+}
+
+}  // namespace validate

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "judgement.hpp"
+
+namespace validate {
+
+/// A cell of a table in Markdown, after the bar at its left. @param format of printf
+std::string cell(const char* format, double value);
+
+/// The row of a tally: bodies, quantity, points, within, strictly, maximum, median of error over true error, blurred.
+void write_tally(std::ostream& out, const char* bodies, const char* quantity, const Tally& all);
+
+}  // namespace validate
