@@ -79,7 +79,8 @@ void run(const BounceArguments& arguments) {
   const Yielding yielding = cli::yielding(encounter);
   Columns columns = its.columns();
   append(columns, yielding.columns());
-  bool beyond_yield = false, beyond_small_strain = false;
+  double fastest = 0.0;
+  bool beyond_small_strain = false;
   long short_flights = 0;
   catch_interrupts();
   const OutputOptions& output = arguments.output;
@@ -89,7 +90,7 @@ void run(const BounceArguments& arguments) {
       Row row = its.row(bounce);
       append(row, yielding.row(bounce.speed));
       writer.add(row);
-      beyond_yield = beyond_yield || yielding.is_below(bounce.speed);
+      fastest = std::max(fastest, bounce.speed);
       beyond_small_strain = beyond_small_strain || bounce.beyond_small_strain;
       short_flights += bounce.short_flight ? 1 : 0;
     });
@@ -99,7 +100,7 @@ void run(const BounceArguments& arguments) {
     output.warn(
         fmt::format("{} flights too short for the vibration to keep clear of the wall (short_flight)", short_flights));
   }
-  if (beyond_yield) output.warn(yield_warning(*yielding.speed));
+  warn_of_yield(output, encounter, fastest);
 }
 
 void add_flight(CLI::App& command, BounceArguments& arguments) {

@@ -177,7 +177,7 @@ void run(const DistributionArguments& asked) {
     compute_samples(ensemble, run);
     summarize(samples, output, run.writer());
   });
-  if (const Yielding its = yielding(encounter); its.is_below(ensemble.speed)) output.warn(yield_warning(*its.speed));
+  warn_of_yield(output, encounter, ensemble.speed);
   run.conclude();
 }
 

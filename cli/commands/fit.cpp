@@ -54,7 +54,7 @@ void add_fit(CLI::App& app) {
   auto& arguments = add_subcommand<FitArguments>(
       app, "fit", "Constants of a force law that come nearest to elasticity", run,
       "Examples:\n"
-      "  stoss fit --body sphere --material 'structural steel' --radius 0.005 --against same --speed 0.01:1\n"
+      "  stoss fit --body sphere --material 'bearing steel' --radius 0.005 --against same --speed 0.01:0.25\n"
       "      --law viscoelastic --friction 0.2 --program lammps\n"
       "  stoss fit --body sphere --material glass --radius 0.001 --speed 0.1:1 --law tsuji");
   CLI::App& command = *arguments.command;

@@ -135,7 +135,7 @@ void run(const ImpactArguments& arguments) {
   const Impact result = compute(arguments, encounter, contact, speed, options);
   if (result.remaining > 0.0) asked.warn(note_of_staying());
   if (result.beyond_small_strain) asked.warn_of_strain("here");
-  if (const Yielding its = yielding(encounter); its.is_below(result.speed)) asked.warn(yield_warning(*its.speed));
+  warn_of_yield(asked, encounter, result.speed);
 
   const auto [columns, row] = make_row(result, encounter);
   if (asked.chosen_format() == Format::table) {

@@ -143,7 +143,7 @@ RowPlan plan_of(const Collisions& collisions, const Columns& results, NeglectedN
           .columns = columns,
           .key = [&collisions](std::size_t row) { return collisions.key(row); },
           .name = name,
-          .yield_speed = yield_speed(collisions.encounter),
+          .encounter = collisions.encounter,
           .observer = [columns, &note](const Row& row) { note.take(columns, row); }};
 }
 
@@ -215,7 +215,7 @@ void add_oblique(CLI::App& app) {
       "  stoss oblique --body sphere --poisson 0.3 --speed 0.01 --angle lin:5:85:17 --friction 0.1\n"
       "  stoss oblique --body sphere --poisson 0.3 --speed 0.01 --tangential 0.01 --friction 1\n"
       "      --spin lin:-0.02:0.02:5 --format csv\n"
-      "  stoss oblique --body sphere --material 'structural steel' --radius 0.01 --speed 1,5 --angle 45\n"
+      "  stoss oblique --body sphere --material 'bearing steel' --radius 0.01 --speed 0.5,1 --angle 45\n"
       "      --friction 0.1 --against half-space,material=glass\n"
       "  stoss oblique --body sphere --poisson 0.3 --speed 0.1 --angle 30 --friction 0.2 --against same");
   CLI::App& command = *arguments.command;

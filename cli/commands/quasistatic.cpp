@@ -81,7 +81,8 @@ void write_rows(const OutputOptions& output, Writer& writer, std::size_t count,
 }
 
 template <typename Of>
-void impacts(const QuasistaticArguments& arguments, const Of& of, const Yielding& yielding, Provenance provenance) {
+void impacts(const QuasistaticArguments& arguments, const Of& of, const Encounter& encounter, Provenance provenance) {
+  const Yielding yielding = cli::yielding(encounter);
   const Units& units = yielding.units;
   const OutputOptions& output = arguments.output;
   const Allowed allowed{of.slowest, limit_speed(of.law, of.poisson),
@@ -111,8 +112,7 @@ void impacts(const QuasistaticArguments& arguments, const Of& of, const Yielding
                     "too large (see stoss restitution)",
                     beyond, speeds.size()));
   }
-  const double fastest = *std::max_element(speeds.begin(), speeds.end());
-  if (yielding.is_below(fastest)) output.warn(yield_warning(*yielding.speed));
+  warn_of_yield(output, encounter, *std::max_element(speeds.begin(), speeds.end()));
 }
 
 template <typename Of>
@@ -181,7 +181,7 @@ void run(const QuasistaticArguments& arguments) {
   provenance.inputs["law"] = arguments.law;
   const auto write = [&](const auto& of) {
     if (speeds) {
-      impacts(arguments, of, yielding(encounter), provenance);
+      impacts(arguments, of, encounter, provenance);
     } else {
       compressions(arguments, of, yielding(encounter), provenance);
     }

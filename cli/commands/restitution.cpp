@@ -198,7 +198,7 @@ RowPlan Job::plan(const Columns& results) const {
           .columns = columns,
           .key = [this](std::size_t row) { return key(row); },
           .name = name,
-          .yield_speed = yield_speed(encounter)};
+          .encounter = encounter};
 }
 
 void add_restitution(CLI::App& app) {

@@ -121,9 +121,7 @@ void warn(const TableArguments& arguments, const TableJob& job) {
                     std::ceil(1e3 * job.by_models.value_or(0.0)) / 1e3));
     return;
   }
-  if (const Yielding its = yielding(job.encounter); its.is_below(job.speeds[1])) {
-    arguments.output.warn(yield_warning(*its.speed));
-  }
+  warn_of_yield(arguments.output, job.encounter, job.speeds[1]);
 }
 
 void run(const TableArguments& arguments) {

@@ -1,7 +1,5 @@
 #include "output/fields.hpp"
 
-#include <fmt/format.h>
-
 namespace stoss::cli {
 
 Units units_of(const Encounter& encounter) {
@@ -43,9 +41,10 @@ Row Yielding::row(double impact) const {
   return {*speed / units.si->speed, *speed, is_below(impact)};
 }
 
-std::string yield_warning(double yield_speed) {
-  return fmt::format("speed above {:.4g} m/s, where yielding begins (beyond_yield): eps is an upper bound there",
-                     yield_speed);
+void warn_of_yield(const OutputOptions& output, const Encounter& encounter, double fastest) {
+  const std::optional<Scales> si = si_scales(encounter);
+  const std::string text = si ? yield_warning(encounter, fastest * si->speed) : std::string();
+  if (!text.empty()) output.warn(text);
 }
 
 }  // namespace stoss::cli

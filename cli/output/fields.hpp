@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "output/output_options.hpp"
 #include "output/rows.hpp"
 #include "stoss/encounter/encounter.hpp"
 #include "stoss/quantity.hpp"
@@ -129,7 +130,8 @@ struct Yielding {
   return {units_of(encounter), yield_speed(encounter)};
 }
 
-/// The warning about impacts beyond the speed at which yielding begins, m/s.
-[[nodiscard]] std::string yield_warning(double yield_speed);
+/// Warns of elastic results beyond the speed at which yielding begins. @param fastest impact of them, c of the first
+/// body
+void warn_of_yield(const OutputOptions& output, const Encounter& encounter, double fastest);
 
 }  // namespace stoss::cli

@@ -36,7 +36,7 @@ void RowRun::count(const Row& row) {
   if (has(plan_.columns, row, "converged", false) || std::isnan(number(*value))) ++marked_;
   if (has(plan_.columns, row, "stays", true)) stays_ = true;
   if (has(plan_.columns, row, "beyond_small_strain", true)) beyond_small_strain_ = true;
-  if (has(plan_.columns, row, "beyond_yield", true)) beyond_yield_ = true;
+  if (const Value* speed = find(plan_.columns, row, "speed")) fastest_ = std::max(fastest_, number(*speed));
   if (plan_.observer) plan_.observer(row);
   ++done_;
 }
@@ -70,7 +70,7 @@ void RowRun::add(const Row& row, const nlohmann::ordered_json& details, const st
 void RowRun::conclude() const {
   if (stays_) options_.output.warn(note_of_staying());
   if (beyond_small_strain_) options_.output.warn_of_strain();
-  if (beyond_yield_) options_.output.warn(yield_warning(*plan_.yield_speed));
+  if (plan_.encounter) warn_of_yield(options_.output, *plan_.encounter, fastest_);
   if (marked_ == 0) return;
   options_.output.warn(fmt::format("{} of {} values not as accurate as asked for (marked)", marked_, done_));
   throw NotAsAsked{};

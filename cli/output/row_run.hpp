@@ -10,6 +10,7 @@
 #include "output/output_options.hpp"
 #include "output/progress.hpp"
 #include "output/writer.hpp"
+#include "stoss/encounter/encounter.hpp"
 
 namespace stoss::cli {
 
@@ -29,7 +30,7 @@ struct RowPlan {
   Columns columns;
   std::function<Row(std::size_t row)> key;           ///< with which this row begins, and no other
   std::function<std::string(std::size_t row)> name;  ///< of a row, in warnings
-  std::optional<double> yield_speed{};               ///< m/s, where a yield strength was given
+  std::optional<Encounter> encounter{};              ///< for the warning of impacts beyond the speed of yielding
   std::function<void(const Row& row)> observer{};    ///< called with each row, also those of an earlier run
 };
 
@@ -71,7 +72,7 @@ class RowRun {
   std::size_t marked_ = 0;
   bool stays_ = false;
   bool beyond_small_strain_ = false;
-  bool beyond_yield_ = false;
+  double fastest_ = 0.0;  ///< speed of the fastest row, c of the first body
 };
 
 }  // namespace stoss::cli

@@ -135,6 +135,9 @@ void bind_encounters(py::module_& module) {
       .def(
           "yield_speed", [](const Encounter& self) { return yield_speed(self); }, "m/s, or None")
       .def(
+          "yield_warning", [](const Encounter& self, double speed) { return yield_warning(self, speed); },
+          py::arg("speed"), "What is said of elastic results at that speed in m/s, or nothing")
+      .def(
           "scales", [](const Encounter& self) { return to_tuple(si_scales(self).value()); },
           "(length, speed, time, frequency, force), of a first body with a material")
       .def(

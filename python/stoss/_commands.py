@@ -14,10 +14,11 @@ import io
 import os
 import signal
 import sys
+import warnings
 from typing import Any, Callable, Mapping, NoReturn, Sequence
 
 from stoss import _starting
-from stoss._errors import InvalidInput, NotConverged
+from stoss._errors import InvalidInput, NotConverged, StossWarning
 
 MODULES: Mapping[str, str] = {
     "sweep": "stoss.sweeps._command",
@@ -101,10 +102,15 @@ def _forget(stream: Any) -> None:
 
 
 def guarded(run: Callable[[], int], interrupted: str) -> int:
-    """What `run` returns, or the exit code of what went wrong, which one line says."""
+    """What `run` returns, after its warnings, or the exit code of what went wrong, which one line says."""
     try:
         _starting.heed()
-        return run()
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always", StossWarning)
+            code = run()
+        for text in dict.fromkeys(str(each.message) for each in caught if issubclass(each.category, StossWarning)):
+            say(f"stoss: warning: {text}")
+        return code
     except Usage as error:
         return _complain(2, str(error))
     except NotConverged as error:

@@ -10,7 +10,6 @@
 #include "check.hpp"
 #include "encounter/participant.hpp"
 #include "stoss/impact/oblique.hpp"
-#include "stoss/quasistatic/yield.hpp"
 
 namespace stoss {
 namespace {
@@ -241,22 +240,6 @@ Contact contact_of(const Encounter& encounter, double cutoff, double speed) {
   Body body = first_maker(encounter)(cutoff, {});
   if (mode_count(body) == 0 && body.loss_time == 0.0) require_modes(first_solid(encounter), cutoff);
   return contact(std::move(body), wall_of(encounter));
-}
-
-std::optional<double> yield_speed(const Encounter& encounter) {
-  const Participant& first = encounter.first;
-  if (!first.material || !kind(first.kind).can_yield) return std::nullopt;
-  const double radius = given_or(first, "radius", infinite);
-  Material material = *first.material;
-  if (first.rigid) material.young = infinite;
-  if (is_at_wall(encounter)) return quasistatic::yield_speed(material, radius);
-  if (encounter.against.kind == "same") return quasistatic::yield_speed(material, radius, material, radius);
-  if (!kind(encounter.against.kind).can_yield) return std::nullopt;
-  return of_what_is_met([&] {
-    Material other = *encounter.against.material;
-    if (encounter.against.rigid) other.young = infinite;
-    return quasistatic::yield_speed(material, radius, other, given_or(encounter.against, "radius", infinite));
-  });
 }
 
 }  // namespace stoss

@@ -168,7 +168,7 @@ def test_yield_speed_is_that_of_the_greatest_pressure(stoss):
     pressure = 1.5 * number(at, "max_force_si") / (math.pi * number(at, "max_radius_si") ** 2)
     assert pressure == pytest.approx(1.6 * strength, rel=1e-12)
     assert beyond["beyond_yield"] == "true"
-    assert result.stderr.startswith(f"stoss: warning: speed above {speed:.4g} m/s, where yielding begins")
+    assert result.stderr.startswith(f"stoss: warning: the ball yields above {speed:.3g} m/s (you asked")
 
 
 @pytest.mark.parametrize("arguments, name, got", [

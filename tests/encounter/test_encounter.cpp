@@ -67,6 +67,27 @@ TEST(Encounter, BeginsToYield) {
   EXPECT_EQ(yield_speed(drop), quasistatic::yield_speed(hard, 0.005, hard, 0.005));
   drop.first.material = steel;
   EXPECT_FALSE(yield_speed(drop));
+  EXPECT_EQ(yield_warning(drop, 1e9), "");
+}
+
+TEST(Encounter, SaysHowFarBeyondYieldASpeedIs) {
+  const auto said = [](const std::string& ball, const std::string& against, double speed) {
+    const std::string first = R"({"first":{"kind":"sphere","radius":0.005,"material":")" + ball + R"("},"against":)";
+    return yield_warning(encounter_from_json(first + against + "}"), speed);
+  };
+  const std::string glass = R"({"kind":"half-space","material":"glass"})";
+  EXPECT_EQ(said("structural steel", glass, 0.0155), "");
+  EXPECT_EQ(
+      said("structural steel", glass, 1.0),
+      "the ball yields above 0.0155 m/s (you asked for 1 m/s, 64 times that): the real rebound is much lower; use "
+      "stoss predict");
+  EXPECT_EQ(said("bearing steel", R"("wall")", 0.2),
+            "the ball yields above 0.128 m/s (you asked for 0.2 m/s, 1.56 times that): the real rebound is lower; use "
+            "stoss predict");
+  const std::string soft = R"(,"material":"structural steel"})";
+  EXPECT_EQ(said("glass", R"({"kind":"half-space")" + soft, 1.0).substr(0, 16), "the block yields");
+  EXPECT_EQ(said("glass", R"({"kind":"plate","thickness":0.01)" + soft, 1.0).substr(0, 16), "the plate yields");
+  EXPECT_EQ(said("glass", R"({"kind":"sphere","radius":0.01)" + soft, 1.0).substr(0, 21), "the other ball yields");
 }
 
 TEST(Encounter, RefusesInOneLine) {

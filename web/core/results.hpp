@@ -49,6 +49,7 @@ emscripten::val answer(const Meeting& meeting, double speed, const emscripten::v
                      {"note", val(finest.remaining > 0.0 ? note_of_staying() : std::string())},
                      {"beyondSmallStrain", val(finest.beyond_small_strain)}});
   if (const auto yield = yield_speed(meeting.encounter)) made.set("yieldSpeed", *yield);
+  if (const std::string said = yield_warning(meeting.encounter, speed); !said.empty()) made.set("yieldWarning", said);
   return made;
 }
 

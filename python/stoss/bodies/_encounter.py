@@ -180,10 +180,21 @@ def yield_speed(body: Sphere, *, against: Sphere | Unbounded | str | None = None
 
 def yield_speed_of(body: Any, against: Any) -> float | None:
     """That of what made a result; None of what is no sphere, and without a material."""
+    found = _that_may_yield(body, against)
+    return None if found is None else found.yield_speed()
+
+
+def yield_warning_of(body: Any, against: Any, speed: float) -> str:
+    """What the core says of elastic results at that speed, m/s: nothing below the speed of yielding."""
+    found = _that_may_yield(body, against)
+    return "" if found is None else found.yield_warning(speed)
+
+
+def _that_may_yield(body: Any, against: Any) -> _core.Encounter | None:
     if not isinstance(body, Sphere) or body.material is None:
         return None
     met = body if isinstance(against, str) else against
-    return _with_materials(body, met if isinstance(met, PARTNERS) else None).yield_speed()
+    return _with_materials(body, met if isinstance(met, PARTNERS) else None)
 
 
 def _with_materials(first: Sphere, second: Body | Unbounded | None) -> _core.Encounter:

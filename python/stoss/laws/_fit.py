@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import importlib
 import os
+import warnings
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Sequence
 
 import numpy as np
@@ -13,12 +14,13 @@ from numpy.typing import NDArray
 from stoss import _core
 from stoss._arguments import boolean, choice, instance, integer, number, numbers, refusal
 from stoss._documentation import documented
-from stoss._errors import InvalidInput
+from stoss._errors import InvalidInput, StossWarning
 from stoss.bodies._bodies import Sphere, shown, speed_unit, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against
 from stoss.bodies._walls import HalfSpace, HardWall
 from stoss.export._files import write_lines
 from stoss.results._result import Column, Result
+from stoss.results._si import warn_at
 
 if TYPE_CHECKING:
     from stoss.laws._law import Impacts, Law
@@ -213,7 +215,10 @@ def fit(
     if wording is not None:
         spring, ratios = wording.spring, wording.ratios
     tells = chosen in ("linear", "tsuji", "viscoelastic", "hunt-crossley", "walton") and ratios is not None
-    impacts: Impacts = elastic.impacts_of(ball, met, slowest, fastest, mu if tells else 0.0, count, shows)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", StossWarning)  # said below, once
+        impacts: Impacts = elastic.impacts_of(ball, met, slowest, fastest, mu if tells else 0.0, count, shows)
+    warn_at(ball, met, fastest / speed_unit(ball), 2)
     made: Law = laws.LAWS[chosen].fitted(impacts, spring, ratios or laws.KAPPA)
     made = dataclasses.replace(made, friction=mu)  # also where nothing is fitted to it
     return _result(ball, met, chosen, program, mu, made, impacts, () if wording is None else tuple(wording.write(made)))

@@ -12,6 +12,7 @@ from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
 from stoss.bodies._encounter import choose_against, choose_body, encounter
 from stoss.bodies._walls import HardWall, Unbounded
 from stoss.results._rule import CollisionRule
+from stoss.results._si import warn_at
 
 
 @documented
@@ -67,4 +68,5 @@ def collision_rule(
     with speeds_in_si(chosen):
         made = _core.adaptive_rule(encounter(chosen, met), pairs["speed"], pairs.get("ratio"), *limits, rubbing, count)
     normal, along, alike = made.given()
+    warn_at(chosen, met, pairs["speed"], 2)
     return CollisionRule(chosen, met, rubbing, outside, alike, *along, *normal)

@@ -22,7 +22,7 @@ from stoss.bodies._encounter import Against, choose_against, choose_body
 from stoss.bodies._walls import UNBOUNDED, HalfPlane, HalfSpace, HardWall, Unbounded
 from stoss.export._text import span, with_error
 from stoss.results._result import Column, Number
-from stoss.results._si import SpeedInSi
+from stoss.results._si import SpeedInSi, warn_at
 
 Array = NDArray[np.float64]
 
@@ -109,6 +109,7 @@ def atlas(
         first, weights = stencil(place, count)
         found[part] = (weights * values[first[:, None] + np.arange(4)]).sum(axis=1)
         bars[part] = error[_cell(place, count)].max(axis=1)
+    warn_at(chosen, met, speeds, 2)
     return AtlasValue(chosen, met, *(arranged(each, given.shape) for each in (speeds, found, bars)))
 
 

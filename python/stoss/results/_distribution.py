@@ -19,7 +19,7 @@ from stoss.bodies._walls import HardWall, Unbounded
 from stoss.export._text import span, with_error
 from stoss.results._progress import bar
 from stoss.results._result import RowResult, columns, picture
-from stoss.results._si import InSi, Si, warn_of_doubt, warn_of_large_strain
+from stoss.results._si import InSi, Si, warn_at, warn_of_doubt, warn_of_large_strain
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -205,6 +205,7 @@ def restitution_distribution(
         raise Interrupted(text, result)
     warn_of_doubt(result.converged, "samples", 2)
     warn_of_large_strain(result, 2)
+    warn_at(chosen, met, initial, 2)
     return result
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import functools
 import os
-import warnings
 from typing import Any, ClassVar
 
 import numpy as np
@@ -14,14 +13,14 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss._arguments import choice, integer, number, numbers, refusal
 from stoss._documentation import documented
-from stoss._errors import InvalidInput, StossWarning
+from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
-from stoss.bodies._encounter import Against, choose_against, choose_body, encounter, refinable, yield_speed_of
+from stoss.bodies._encounter import Against, choose_against, choose_body, encounter, refinable
 from stoss.bodies._walls import HardWall, Unbounded
 from stoss.export._files import write_lines
 from stoss.export._text import brief_range
 from stoss.results._result import Column, picture
-from stoss.results._si import SpeedInSi
+from stoss.results._si import SpeedInSi, warn_at
 
 BEYOND = ("error", "clamp", "law")
 
@@ -226,7 +225,7 @@ def restitution_function(
     with speeds_in_si(chosen):
         made = _core.adaptive_function(refinable(chosen, met), slowest, fastest, limit, count)
     function = function_of(chosen, met, outside, None, *made.knots(), made.interpolation_errors())
-    _warn_of_yielding(function)
+    warn_at(chosen, met, function.speed[-1], 2)
     return function
 
 
@@ -237,10 +236,3 @@ def function_of(*given: Any) -> RestitutionFunction:
         each.flags.writeable = False
     with speeds_in_si(made.body):
         return dataclasses.replace(made, interpolation_error=made._core.interpolation_errors())
-
-
-def _warn_of_yielding(function: RestitutionFunction) -> None:
-    found = yield_speed_of(function.body, function.against)
-    if found is not None and function.range[1] > found:
-        text = f"speed above {found:.4g} m/s, where yielding begins (elastic values are bounds there)"
-        warnings.warn(text, StossWarning, stacklevel=3)

@@ -17,7 +17,7 @@ from stoss.bodies._encounter import Against, choose_against, choose_body, choose
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import ExponentialWall, HardWall
 from stoss.results import _replay, _sound
-from stoss.results._si import ImpactsInSi, Si
+from stoss.results._si import ImpactsInSi, Si, warn_of_yielding
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -197,4 +197,6 @@ def impact(
         got = f"a selection of modes and {met!r}"
         raise InvalidInput(f"keep: got {got}, allowed only with a stoss.ExponentialWall ({hint})")
     with speeds_in_si(chosen):
-        return Impact._made(chosen, met, initial, at, answer, resolution, kept, state)
+        result = Impact._made(chosen, met, initial, at, answer, resolution, kept, state)
+    warn_of_yielding(result, 2)
+    return result

@@ -18,7 +18,7 @@ from stoss.bodies._walls import HardWall, Unbounded
 from stoss.results import _oblique_trajectory
 from stoss.results._oblique_ledger import ObliqueLedger
 from stoss.results._obliquity import MOTION, Oblique, choose_motion, explained
-from stoss.results._si import ImpactsInSi
+from stoss.results._si import ImpactsInSi, warn_of_yielding
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -158,6 +158,8 @@ def oblique_impact(
     count = None if nodes is None else integer("nodes", nodes)
     resolution = optional_number("step", step), count, optional_number("half_width", half_width)
     with speeds_in_si(chosen):
-        return ObliqueImpact._made(
+        result = ObliqueImpact._made(
             chosen, met, tuple(float(each) for each in motion), highest, resolution, state
         )
+    warn_of_yielding(result, 2)
+    return result

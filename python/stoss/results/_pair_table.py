@@ -18,7 +18,7 @@ from stoss.bodies._encounter import choose_against, choose_body, encounter
 from stoss.bodies._solid import is_rigid
 from stoss.export._text import brief_range
 from stoss.results._result import Column, picture
-from stoss.results._si import SpeedInSi
+from stoss.results._si import SpeedInSi, warn_at
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -162,4 +162,5 @@ def pair_table(
     grids = [v, r, value.reshape(shape), bars.reshape(shape), interpolation.reshape(v.size - 1, r.size - 1)]
     for grid in grids:
         grid.flags.writeable = False
+    warn_at(chosen, met, v, 2)
     return PairTable(chosen, met, outside, alike, *grids)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._errors import Interrupted, NotConverged, StossWarning
-from stoss.bodies._encounter import yield_speed_of
+from stoss.bodies._encounter import yield_speed_of, yield_warning_of
 from stoss.bodies._material import Material
 from stoss.results._result import Number, Result
 
@@ -152,11 +152,15 @@ def finished(curve: Curve, done: int | None) -> Curve:
 
 def warn_of_yielding(result: MayYield, stacklevel: int) -> None:
     """A warning, as from that many calls above, if impacts are faster than the speed at which yielding begins."""
-    found = result._yield_speed()
-    if found is not None and np.any(result.beyond_yield):
-        hint = "see .beyond_yield: elastic values are bounds there"
-        text = f"speed above {found:.4g} m/s, where yielding begins ({hint})"
-        warnings.warn(text, StossWarning, stacklevel=stacklevel + 1)
+    warn_at(result.body, getattr(result, "against", None), result.speed, stacklevel + 1)
+
+
+def warn_at(body: Any, against: Any, speed: Any, stacklevel: int) -> None:
+    """The same of bodies at speeds in c."""
+    if getattr(body, "material", None) is None or np.size(speed) == 0:
+        return
+    if said := yield_warning_of(body, against, float(np.max(speed)) * body.scales.speed):
+        warnings.warn(said, StossWarning, stacklevel=stacklevel + 1)
 
 
 def warn_of_staying(result: Any, stacklevel: int) -> None:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import hashlib
 import json
-from typing import NamedTuple
+import math
+from typing import NamedTuple, Sequence
 
 from stoss.bodies._bodies import Body
-from stoss.bodies._encounter import Against
+from stoss.bodies._encounter import Against, yield_speed_of, yield_warning_of
 from stoss.bodies._solid import Solid, Specification
 from stoss.sweeps._bodies import reference
 from stoss.sweeps._computation import Accuracy
@@ -21,6 +22,17 @@ class Case(NamedTuple):
     against: Against
     inputs: Specification
     key: str
+
+
+def yield_warning(cases: Sequence[Case], fastest: float) -> str:
+    """What the core says of the cases that yield first, m/s; nothing if none yields."""
+    onsets = [(yield_speed_of(case.body, case.against) or math.inf, place) for place, case in enumerate(cases)]
+    beyond = sum(onset < fastest for onset, _ in onsets)
+    if beyond == 0:
+        return ""
+    first = cases[min(onsets)[1]]
+    said = yield_warning_of(first.body, first.against, fastest)
+    return said if len(cases) == 1 else f"{beyond} of {len(cases)} cases beyond yielding; in the worst {said}"
 
 
 def case_of(place: tuple[int, int], body: Body, against: Against, accuracy: Accuracy) -> Case:

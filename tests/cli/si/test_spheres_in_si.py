@@ -84,7 +84,9 @@ def test_record_says_where_yielding_begins(stoss, against, strengths, expected):
     assert document["inputs"]["material_yield[Pa]"] == 1e9
     assert document["units"]["yield_speed_si"] == "m/s"
     (line,) = result.stderr.splitlines()
-    assert line.startswith(f"stoss: warning: speed above {expected:.4g} m/s, where yielding begins")
+    asked = f"you asked for {faster:.4g} m/s, 1.01 times that"
+    assert line.endswith(f" yields above {expected:.3g} m/s ({asked}): the real rebound is lower; use stoss predict")
+    assert line.startswith("stoss: warning: the ball " if strengths != ",yield=4e8" else "stoss: warning: the other ball ")
 
 
 def test_a_strength_of_the_second_alone(stoss):

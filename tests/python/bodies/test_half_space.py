@@ -202,7 +202,7 @@ def test_several_spheres_at_a_half_space_like_each():
 def test_results_say_where_yielding_begins():
     hard = stoss.Material(young=2.1e11, poisson=0.3, density=7850, yield_strength=1e9)
     block = stoss.HalfSpace(material=hard)
-    with pytest.warns(stoss.StossWarning, match="where yielding begins"):
+    with pytest.warns(stoss.StossWarning, match="^the ball yields above"):
         curve = stoss.restitution(stoss.Sphere(radius=0.01, material=hard), against=block, speed=[0.1, 0.2])
     assert curve.beyond_yield.tolist() == [False, True]
     assert curve.yield_speed_si[0] == pytest.approx(0.14, abs=0.005)
