@@ -44,6 +44,8 @@ export interface Restitution {
   beyondSmallStrain: boolean;
   /** of spheres in SI, one of which has a yield strength: the speed in m/s at which it begins to yield */
   yieldSpeed?: number;
+  /** beyond that speed: how far, in one line, which the command prints as a warning */
+  yieldWarning?: string;
 }
 
 /** What a collision has for every instant; energies are shares of the initial one. */

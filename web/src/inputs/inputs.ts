@@ -30,10 +30,10 @@ export const defaults: Inputs = {
   simple: false,
 };
 
-/** What SI begins with: a ball of a bearing of 1 cm, at the speed of a fall from 5 cm. */
+/** What SI begins with: a ball of a bearing of 1 cm, slow enough not to yield at a rigid wall (from 0.13 m/s). */
 const centimetre = { radius: 0.01, length: 0.01, area: 1e-4, thickness: 0.01 };
 export const ball = madeOf(materialNamed('bearing steel'), { ...unitBody, ...centimetre });
-export const siSpeed = 1;
+export const siSpeed = 0.1;
 
 /** More curves than these cannot be told apart: there are as many colours, and one is for the current one. */
 export const mostKept = 5;

@@ -64,12 +64,11 @@ export function reboundInWords(encounter: Encounter, result: Restitution): { ful
 }
 
 /** Up to where ε is more than a bound; '' without SI. */
-export function yieldInWords({ si }: Encounter, { speed, yieldSpeed }: Restitution): string {
+export function yieldInWords({ si }: Encounter, { yieldSpeed, yieldWarning }: Restitution): string {
   if (!si) return '';
+  if (yieldWarning !== undefined) return `${yieldWarning[0]!.toUpperCase()}${yieldWarning.slice(1)}.`;
   if (yieldSpeed === undefined) return 'Once the material yields or cracks, ε is an upper bound.';
-  const at = `${significant(yieldSpeed, 2)} m/s`;
-  return speed > yieldSpeed ? `Above ${at}, where it begins to yield: ε is an upper bound.`
-    : `Begins to yield at ${at}: above that, ε is an upper bound.`;
+  return `Begins to yield at ${significant(yieldSpeed, 2)} m/s: above that, ε is an upper bound.`;
 }
 
 /** A change of ε_t of which the page speaks; its error is about as large. */
@@ -142,7 +141,7 @@ export function createResults() {
       });
       find('rebound-row', HTMLElement).hidden = full === '';
       find('force-note', HTMLElement).hidden = encounter.kind !== 'rod';
-      find('yield', HTMLElement).classList.toggle('problem', result.speed > (result.yieldSpeed ?? Infinity));
+      find('yield', HTMLElement).classList.toggle('problem', result.yieldWarning !== undefined);
       section.dataset.stage = stage;
       const aim = `accurate to ${tangential ? '10⁻² of the sliding velocity' : '10⁻³ of 1 − ε², or to 10⁻⁶'}`;
       reached = stage === 'first' ? 'first value, refining' : `${result.converged ? '' : 'not '}${aim}`;

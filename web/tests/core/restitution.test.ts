@@ -65,6 +65,9 @@ describe.skipIf(!hasCommand)('restitution', { timeout: 60_000 }, () => {
       const theirs = restitution(encounter, 0.1, 1e-2).yield_speed_si as number | undefined;
       expect([yieldSpeed !== undefined, theirs !== undefined]).toEqual([known, known]);
       if (known) expect(Math.abs(yieldSpeed! / theirs! - 1)).toBeLessThan(1e-12);
+      const { yieldWarning } = ask('restitution', encounter, { speed: 0.1, tolerance: 1e-2 }).value;
+      if (!known || yieldSpeed! > 0.1) expect(yieldWarning).toBeUndefined();
+      else expect(yieldWarning).toMatch(/^the (ball|block|other ball) yields above .* times that\): the real rebound is/);
     }
   });
 

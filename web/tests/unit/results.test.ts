@@ -39,7 +39,8 @@ describe('the yield speed', () => {
     yieldInWords(ball, result(speed, { value: 0.9, unit: '' }, yieldSpeed === undefined ? {} : { yieldSpeed }));
   it('is said, and that ε is a bound above it', () => {
     expect(at(0.1, 0.1312)).toBe('Begins to yield at 0.13 m/s: above that, ε is an upper bound.');
-    expect(at(1, 0.1312)).toBe('Above 0.13 m/s, where it begins to yield: ε is an upper bound.');
+    const beyond = result(1, { value: 0.9, unit: '' }, { yieldSpeed: 0.1312, yieldWarning: 'the ball yields' });
+    expect(yieldInWords(ball, beyond)).toBe('The ball yields.');
     expect(at(1)).toBe('Once the material yields or cracks, ε is an upper bound.');
     expect(yieldInWords(plain, result(0.1, { value: 0.9, unit: '' }))).toBe('');
   });
