@@ -24,7 +24,7 @@ RATIOS = np.array([1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0])
 
 def main(folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
-    steel = stoss.materials["structural steel"]
+    steel = stoss.materials["bearing steel"]
     small = stoss.Disk(radius=SMALL, material=steel, loss_time=0)
     pairs = [
         stoss.restitution(small, against=stoss.Disk(radius=SMALL * ratio, material=steel, loss_time=0), speed=SPEED)

@@ -28,7 +28,7 @@ ERROR, TIME_ERROR = 0.005, 0.3  # of a measured ε and of a contact time, µs
 
 
 def drop(thickness: float) -> stoss.Restitution:
-    ball = stoss.Sphere(radius=RADIUS, material=stoss.materials["structural steel"], loss_time=0)
+    ball = stoss.Sphere(radius=RADIUS, material=stoss.materials["bearing steel"], loss_time=0)
     pane = stoss.Plate(thickness=thickness * 1e-3, material=stoss.materials["glass"], loss_time=0)
     return stoss.restitution(ball, against=pane, speed=SPEED)
 

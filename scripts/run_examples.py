@@ -17,6 +17,14 @@ import stoss
 ROOT = Path(__file__).resolve().parents[1]
 EXAMPLES = ROOT / "examples"
 KEPT = ROOT / "build/examples"
+# What a program is warned of, its reader would not see. -W takes no warning of a package, and ignores it.
+STRICTLY = """
+import runpy, sys, warnings, stoss
+warnings.simplefilter("error", stoss.StossWarning)
+del sys.argv[0]
+sys.path[0] = sys.argv[0].rpartition("/")[0]
+runpy.run_path(sys.argv[0], run_name="__main__")
+"""
 
 
 @functools.cache
@@ -50,7 +58,7 @@ def run(name: str) -> Path:
             # Without a display and without a chosen backend: as on a server.
             screen = ("MPLBACKEND", "DISPLAY", "WAYLAND_DISPLAY")
             environment = {key: value for key, value in os.environ.items() if key not in screen}
-            command = [sys.executable, "-W", "error::stoss.StossWarning", str(program), "out"]
+            command = [sys.executable, "-c", STRICTLY, str(program), "out"]
             done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, encoding="utf-8")
             assert done.returncode == 0, f"{program.name}: {done.stderr}"
             (folder / "output.txt").write_text(done.stdout, encoding="utf-8")

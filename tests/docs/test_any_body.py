@@ -26,7 +26,7 @@ def test_command_prints_what_the_page_shows():
 
 @pytest.mark.parametrize("place", [0, 30, 55, 95])
 def test_sweet_spot(place):
-    struck = f"--body sphere --radius 0.005 --material 'structural steel' --against @{BODIES}/beam_{place}.json"
+    struck = f"--body sphere --radius 0.005 --material 'bearing steel' --against @{BODIES}/beam_{place}.json"
     slow, fast = (lost(f"{struck} --speed {speed}") for speed in (0.05, 0.5))
     assert f"| {place} mm | {with_error(*slow)} | {with_error(*fast)} |" in PAGE
 

@@ -12,7 +12,7 @@ import stoss
 def test_balls_of_the_example_are_those_of_the_package(example_folder):
     table = example_folder("07_balls") / "out/balls.csv"
     rows = list(csv.DictReader(table.read_text(encoding="utf-8").splitlines()))
-    assert len(rows) == 16
+    assert len(rows) == 14  # steel up to its yield speed, 0.13 m/s
     for row in rows:
         speed = row["speed_m_s"]
         ball = stoss.Sphere(radius=0.01, material=stoss.materials[row["material"]], loss_time=0)

@@ -1,4 +1,4 @@
-"""The lines of docs/command.md run as they stand, and print what the page shows."""
+"""The lines of docs/command.md run as they stand, and print what the page shows, warnings included."""
 
 import os
 import re
@@ -18,9 +18,10 @@ def test_page(tmp_path):
     wrong = []
     for lines, shown in BLOCKS:
         done = subprocess.run(
-            ["bash", "-e", "-c", lines], cwd=tmp_path, env=environment, capture_output=True, encoding="utf-8"
-        )
-        assert done.returncode == 0, lines + done.stderr
+            ["bash", "-e", "-c", lines], cwd=tmp_path, env=environment, encoding="utf-8", stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+        )  # fmt: skip
+        assert done.returncode == 0, lines + done.stdout
         if not agrees(done.stdout, shown):
             wrong.append(f"{lines}printed\n{done.stdout}the page says\n{shown}")
     assert not wrong, "\n".join(wrong)

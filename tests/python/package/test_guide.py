@@ -4,7 +4,8 @@ they say.
 All ```python blocks of a page run in order in one namespace. What they print is compared with a
 ```text block that follows at once, or with a comment `# → …` at the end of a statement. Words must
 agree, and numbers to what is shown of them: x ± e within e, others to two units of their last
-digit. An … stands for anything.
+digit. An … stands for anything. A StossWarning is output too: the page shows it as a line
+`StossWarning: …` at the end of the ```text block, or keeps within what the result is good for.
 """
 
 import ast
@@ -13,6 +14,7 @@ import importlib.util
 import io
 import math
 import re
+import warnings
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -116,12 +118,18 @@ def test_page(page, tmp_path, monkeypatch):
     compared, wrong = 0, []
     for first_line, code, text in blocks(page):
         output = ""
-        for line, printed, said, comment in run(code, first_line, names):
-            output += printed
-            if comment is not None:
-                compared += 1
-                if not agrees(said, comment):
-                    wrong.append(f"{page}:{line}: got {said.strip()!r}, the page says {comment!r}")
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always", stoss.StossWarning)
+            for line, printed, said, comment in run(code, first_line, names):
+                output += printed
+                if comment is not None:
+                    compared += 1
+                    if not agrees(said, comment):
+                        wrong.append(f"{page}:{line}: got {said.strip()!r}, the page says {comment!r}")
+        warned = dict.fromkeys(str(each.message) for each in caught if issubclass(each.category, stoss.StossWarning))
+        output += "".join(f"StossWarning: {each}\n" for each in warned)
+        if text is None and warned:
+            wrong.append(f"{page}:{first_line}: warns, which the page does not show:\n{output}")
         if text is not None:
             compared += 1
             if not agrees(output, text):

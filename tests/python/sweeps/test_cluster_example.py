@@ -20,7 +20,7 @@ CLUSTER = Path(__file__).parents[3] / "examples/cluster"
 SMALL = """
 speed = [0.05, 0.2]
 tolerance = 1e-2
-bodies = {kind = "sphere", radius = "log:1e-3:1e-2:4", material = ["structural steel", "glass"]}
+bodies = {kind = "sphere", radius = "log:1e-3:1e-2:4", material = ["bearing steel", "glass"]}
 against = ["wall"]
 """
 ALLOWED = ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "OMPI_MCA_rmaps_base_oversubscribe")
