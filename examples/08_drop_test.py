@@ -50,7 +50,7 @@ def pressure_wave_speed(material: stoss.Material) -> float:
 
 def main(folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
-    warnings.simplefilter("ignore", stoss.StossWarning)  # what is a model, and what is not known of a material
+    warnings.simplefilter("ignore", stoss.StossWarning)  # printed below the rows that they are about
     figure, axes = plt.subplots(figsize=(6, 4.2), layout="constrained")
     lines = [COLUMNS]
     names = "ball           block             m/s      eps  numerical   models  constants  1 - eps^2"
@@ -73,6 +73,8 @@ def main(folder: Path) -> None:
             said = [f"{value:.9g}" for value in numbers] + [drop.dominant[k]]
             said += [f"{value:.9g}" for value in (drop.contact_time[k], thick, drop.sticking_speed)]
             lines.append(",".join([one, other, *said, begins]))
+        for said in dict.fromkeys(each for row in drop.warnings for each in row):
+            print(f"  {said}")
         more = stoss.predict(ball, against=block, speed=BETWEEN, tolerance=0.02)
         curve = sorted(zip((*drop.speed, *more.speed), 1 - np.concatenate([drop.restitution, more.restitution]) ** 2))
         axes.loglog(*np.transpose(curve), label=f"{one} on {other}")

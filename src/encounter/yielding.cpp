@@ -1,5 +1,6 @@
 // From which speed a sphere, or what it meets, yields, and what is said of elastic results beyond it.
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <string>
@@ -31,8 +32,10 @@ std::string rounded_to(int digits, double number) {
   return text.data();
 }
 
-/// 1.002, 3.64, 64, 540
-std::string times(double ratio) { return rounded_to(ratio < 1.1 ? 4 : ratio >= 10.0 && ratio < 100.0 ? 2 : 3, ratio); }
+/// 1.002, 3.64, 64, 5512
+std::string times(double ratio) {
+  return ratio < 1.1 ? rounded_to(4, ratio) : ratio < 10.0 ? rounded_to(3, ratio) : rounded_to(9, std::round(ratio));
+}
 
 }  // namespace
 
