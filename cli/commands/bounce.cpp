@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app.hpp"
 #include "input/encounter.hpp"
 #include "output/output_options.hpp"
@@ -80,7 +82,7 @@ void run(const BounceArguments& arguments) {
   Columns columns = its.columns();
   append(columns, yielding.columns());
   double fastest = 0.0;
-  bool beyond_small_strain = false;
+  double strain = 0.0;  // greatest that is beyond what is small
   long short_flights = 0;
   catch_interrupts();
   const OutputOptions& output = arguments.output;
@@ -91,11 +93,11 @@ void run(const BounceArguments& arguments) {
       append(row, yielding.row(bounce.speed));
       writer.add(row);
       fastest = std::max(fastest, bounce.speed);
-      beyond_small_strain = beyond_small_strain || bounce.beyond_small_strain;
+      if (bounce.beyond_small_strain) strain = std::max(strain, bounce.strain);
       short_flights += bounce.short_flight ? 1 : 0;
     });
   });
-  if (beyond_small_strain) output.warn_of_strain();
+  if (strain > 0.0) output.warn_of_strain(strain);
   if (short_flights > 0) {
     output.warn(
         fmt::format("{} flights too short for the vibration to keep clear of the wall (short_flight)", short_flights));

@@ -134,7 +134,7 @@ void run(const ImpactArguments& arguments) {
   Output output(asked.path);
   const Impact result = compute(arguments, encounter, contact, speed, options);
   if (result.remaining > 0.0) asked.warn(note_of_staying());
-  if (result.beyond_small_strain) asked.warn_of_strain("here");
+  if (result.beyond_small_strain) asked.warn_of_strain(result.strain, "here");
   warn_of_yield(asked, encounter, result.speed);
 
   const auto [columns, row] = make_row(result, encounter);

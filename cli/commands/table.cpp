@@ -111,9 +111,8 @@ std::string text_of_pairs(const TableArguments& arguments, const TableJob& job) 
 }
 
 void warn(const TableArguments& arguments, const TableJob& job) {
-  if (job.speeds[1] > 0.5) {
-    arguments.output.warn("speed above 0.5 c: linear elasticity has lost its meaning there");
-  }
+  const double strain = expected_strain(refinable(job.encounter).at(0), job.speeds[1]);
+  if (strain > small_strain_limit) arguments.output.warn_of_strain(strain, "at the fastest");
   if (arguments.predicted) {
     arguments.output.warn(
         fmt::format("yield and adhesion are models, which differ from eps by up to {}: this and the uncertainty of "

@@ -56,6 +56,16 @@ RuleTable rule_of(const TableArguments& arguments, const TableJob& job) {
   return rule_table(mixture(job.encounter), job.speeds[0], job.speeds[1], smallest, largest, options);
 }
 
+/// The error of s′ is over the motion before, which may be far more than s′.
+void warn_of_wide_contacts(const TableArguments& arguments, const RuleTable& rule) {
+  constexpr double noticeable = 0.02;
+  if (rule.greatest_sliding_error() <= noticeable) return;
+  arguments.output.warn(fmt::format(
+      "sliding afterwards is off by up to {:.2g} of |v_t| + |spin R| + friction v, as the sliding before does "
+      "not tell velocity from spin, (a/R)^2: where they nearly cancel, much of it",
+      rule.greatest_sliding_error()));
+}
+
 }  // namespace
 
 std::pair<double, double> parse_ratios(const std::string& ratio) {
@@ -71,6 +81,7 @@ std::string text_of_rule(const TableArguments& arguments, const TableJob& job) {
     return two_column(rule_of(half, job), job.typed[0] / job.unit, arguments.tolerance);
   }
   const RuleTable rule = rule_of(arguments, job);
+  warn_of_wide_contacts(arguments, rule);
   return arguments.format == "c" ? c_header(rule, label(arguments, job)) : as_json(arguments, job, rule);
 }
 

@@ -5,6 +5,7 @@
 #include "app.hpp"
 #include "process/text.hpp"
 #include "stoss/errors.hpp"
+#include "stoss/impact/impact.hpp"
 
 namespace stoss::cli {
 
@@ -32,8 +33,16 @@ void OutputOptions::warn(const std::string& text) const {
   if (!quiet) say("stoss: warning: " + text);
 }
 
-void OutputOptions::warn_of_strain(const std::string& where) const {
-  warn("speed above 0.5 c or compression above 0.5 R: linear elasticity has lost its meaning " + where);
+void OutputOptions::warn_of_strain(double strain, const std::string& where) const {
+  warn(fmt::format("strain of some {:.3g}, above {:g}: linear elasticity is no longer accurate {}", strain,
+                   small_strain_limit, where));
+}
+
+void OutputOptions::warn_of_turning(double turned) const {
+  warn(fmt::format(
+      "the bodies turn by {:.2g} rad while they touch, and their contact rolls by more than its half-width: "
+      "linear kinematics is no longer accurate there",
+      turned));
 }
 
 void RowOptions::add_to(CLI::App& to) {

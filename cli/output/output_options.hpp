@@ -28,7 +28,10 @@ struct OutputOptions {
   void warn(const std::string& text) const;
 
   /// The warning that linear elasticity has ended. @param where as in "here" or "there"
-  void warn_of_strain(const std::string& where = "there") const;
+  void warn_of_strain(double strain, const std::string& where = "there") const;
+
+  /// The warning that bodies turn too far for linear kinematics. @param turned angle
+  void warn_of_turning(double turned) const;
 };
 
 /// How rows are written of which an interrupted run is continued: also --resume.

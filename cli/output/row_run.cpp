@@ -35,7 +35,11 @@ void RowRun::count(const Row& row) {
   const Value* value = find(plan_.columns, row, "restitution");
   if (has(plan_.columns, row, "converged", false) || std::isnan(number(*value))) ++marked_;
   if (has(plan_.columns, row, "stays", true)) stays_ = true;
-  if (has(plan_.columns, row, "beyond_small_strain", true)) beyond_small_strain_ = true;
+  const auto note = [&](const char* flag, const char* quantity, double& greatest) {
+    if (has(plan_.columns, row, flag, true)) greatest = std::max(greatest, number(*find(plan_.columns, row, quantity)));
+  };
+  note("beyond_small_strain", "strain", strain_);
+  note("beyond_small_turn", "turned", turned_);
   if (const Value* speed = find(plan_.columns, row, "speed")) fastest_ = std::max(fastest_, number(*speed));
   if (plan_.observer) plan_.observer(row);
   ++done_;
@@ -69,7 +73,8 @@ void RowRun::add(const Row& row, const nlohmann::ordered_json& details, const st
 
 void RowRun::conclude() const {
   if (stays_) options_.output.warn(note_of_staying());
-  if (beyond_small_strain_) options_.output.warn_of_strain();
+  if (strain_ > 0.0) options_.output.warn_of_strain(strain_);
+  if (turned_ > 0.0) options_.output.warn_of_turning(turned_);
   if (plan_.encounter) warn_of_yield(options_.output, *plan_.encounter, fastest_);
   if (marked_ == 0) return;
   options_.output.warn(fmt::format("{} of {} values not as accurate as asked for (marked)", marked_, done_));

@@ -71,8 +71,8 @@ class RowRun {
   std::size_t done_ = 0;
   std::size_t marked_ = 0;
   bool stays_ = false;
-  bool beyond_small_strain_ = false;
-  double fastest_ = 0.0;  ///< speed of the fastest row, c of the first body
+  double strain_ = 0.0, turned_ = 0.0;  ///< greatest of the rows that are beyond what is small
+  double fastest_ = 0.0;                ///< speed of the fastest row, c of the first body
 };
 
 }  // namespace stoss::cli

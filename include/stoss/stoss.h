@@ -127,7 +127,7 @@ typedef struct stoss_result {
   stoss_estimate restitution;     /**< eps */
   stoss_estimate lost_fraction;   /**< 1 - eps^2 */
   stoss_estimate contact_time;    /**< R/c */
-  stoss_estimate max_force;       /**< m c^2/R */
+  stoss_estimate max_force;       /**< m c^2/R; a ball is stiffer than Hertz' contact: at a wall 6 % above at 0.004 c */
   stoss_estimate max_compression; /**< R */
   int converged;                  /**< 1, or 0 where the tolerance is not met */
 } stoss_result;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "stoss/errors.hpp"
@@ -53,6 +54,11 @@ void validate(const Body& body) {
             "frequencies above 0 and up to its cutoff, or kept_cutoff of a lossy one");
   }
   require(body, body.surface && body.residual_compliance && body.residual_second_moment, "all three functions set");
+}
+
+double pressure(Contour contour, const Load& load) {
+  const double a = load.half_width;
+  return load.force / (contour == Contour::ball ? std::numbers::pi * a * a : 2.0 * a);
 }
 
 double kept_cutoff(double cutoff, double loss_time) {

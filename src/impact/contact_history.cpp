@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
+
+#include "impact/flat_force.hpp"
 
 namespace stoss {
 namespace {
@@ -14,7 +17,9 @@ constexpr double tail_of_impulse = 0.01;
 void ContactHistory::add_force(double mean_force) {
   impulse_ += mean_force * step_;
   force_peak_.add(mean_force);
-  if (impulse_ > 0.0) impulse_history_.push_back(impulse_);
+  if (impulse_ <= 0.0) return;
+  if (impulse_history_.empty()) first_step_ = steps_ + 1;
+  impulse_history_.push_back(impulse_);
 }
 
 void ContactHistory::add(bool touching, double since_touch) {
@@ -55,6 +60,13 @@ void ContactHistory::show(const Contact& contact, double velocity_before, double
   impact.max_force = force_peak_.value(0.0) / contact.first->mass;
   impact.max_compression = compression_peak_.value(0.0);
   impact.max_half_width = half_width_peak_.value(0.0);
+  if (has_single_point(contact) && std::holds_alternative<HardWall>(contact.wall) && impulse_ > 0.0) {
+    const FlatForce force(impulse_history_, step_, ripple_time(contact));
+    const double last = (static_cast<double>(first_step_ + force.last()) - 0.5) * step_;
+    impact.contact_time = last - first_contact_;
+    impact.contacts = force.contacts();
+    impact.max_force = force.greatest() / contact.first->mass;
+  }
   const double momentum_change = contact.mass * (velocity_before - velocity_after);
   impact.momentum_error = std::abs(impulse_ - momentum_change) / (contact.mass * std::abs(velocity_before));
   impact.steps = steps_;

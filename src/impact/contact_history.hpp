@@ -54,7 +54,8 @@ class ContactHistory {
   double first_contact_ = 0.0;  // times
   double last_contact_ = 0.0;
   long contact_steps_ = 0;
-  long last_step_ = 0;  // of the last contact
+  long last_step_ = 0;   // of the last contact
+  long first_step_ = 0;  // of the first force
   double impulse_ = 0.0;
   std::vector<double> impulse_history_;  // after each step since the first force
   Peak force_peak_, compression_peak_, half_width_peak_;

@@ -32,6 +32,7 @@ const Quantities<Impact>& impact_quantities() {
       {"energy_error", none, &I::energy_error},
       {"momentum_error", none, &I::momentum_error},
       {"stays", none, [](const I& i) { return i.remaining > 0.0; }},
+      {"strain", none, &I::strain},
       {"beyond_small_strain", none, &I::beyond_small_strain},
   };
   return all;
@@ -74,7 +75,10 @@ const Quantities<ObliqueImpact>& oblique_impact_quantities() {
       {"momentum_error", none, [](const O& o) { return std::max(o.momentum_error, o.normal.momentum_error); }},
       {"angular_momentum_error", none, &O::angular_momentum_error},
       {"stays", none, [](const O& o) { return o.normal.remaining > 0.0; }},
+      {"strain", none, [](const O& o) { return o.normal.strain; }},
       {"beyond_small_strain", none, [](const O& o) { return o.normal.beyond_small_strain; }},
+      {"turned", none, &O::turned},
+      {"beyond_small_turn", none, &O::beyond_small_turn},
   };
   return all;
 }

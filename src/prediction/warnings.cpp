@@ -57,7 +57,7 @@ std::vector<std::string> warnings(const Encounter& encounter, const Thresholds& 
         " is taken as sound, smooth, dry and uncracked: measured losses are often ten times as large and more");
   }
   if (computed.finest.beyond_small_strain) {
-    all.emplace_back("strains are large: linear elasticity, and so the computed channels, have lost their meaning");
+    all.emplace_back("strains are large: linear elasticity, and so the computed channels, are no longer accurate");
   }
   if (!computed.converged) all.push_back("computed channels: " + computed.reason);
   return all;

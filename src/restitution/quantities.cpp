@@ -39,6 +39,7 @@ const Quantities<Restitution>& restitution_quantities() {
       {"energy_error", none, [](const R& r) { return finest(r, r.finest.energy_error); }},
       {"converged", none, &R::converged},
       {"stays", none, [](const R& r) { return r.finest.remaining > 0.0; }},
+      {"strain", none, [](const R& r) { return finest(r, r.finest.strain); }},
       {"beyond_small_strain", none, [](const R& r) { return r.finest.beyond_small_strain; }},
   };
   return all;
@@ -86,7 +87,10 @@ const Quantities<ObliqueRestitution>& oblique_quantities() {
       {"converged", none, &O::converged},
       {"unstable", none, &O::unstable},
       {"stays", none, [](const O& o) { return o.finest.normal.remaining > 0.0; }},
+      {"strain", none, [](const O& o) { return finest(o, o.finest.normal.strain); }},
       {"beyond_small_strain", none, [](const O& o) { return o.finest.normal.beyond_small_strain; }},
+      {"turned", none, [](const O& o) { return finest(o, o.finest.turned); }},
+      {"beyond_small_turn", none, [](const O& o) { return o.finest.beyond_small_turn; }},
   };
   return all;
 }

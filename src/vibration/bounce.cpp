@@ -107,6 +107,7 @@ class Sequence {
     bounce.after = energy_;
     bounce.energy_error = 1.0 - energy_.translation - energy_.vibration - energy_.dissipated - energy_.unresolved;
     bounce.contact_time = impact.contact_time;
+    bounce.strain = impact.strain;
     bounce.beyond_small_strain = impact.beyond_small_strain;
     speed_ *= impact.restitution;
     bounce.flight_time = options_.gravity ? 2.0 * speed_ / *options_.gravity : *options_.flight_time;

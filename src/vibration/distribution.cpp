@@ -28,6 +28,7 @@ Sample sample_of(std::int64_t number, const Vibration& vibration, const Restitut
           .contacts = result.finest.contacts,
           .steps = result.steps,
           .converged = result.converged,
+          .strain = result.finest.strain,
           .beyond_small_strain = result.finest.beyond_small_strain,
           .reason = result.reason};
 }

@@ -15,6 +15,7 @@ const Quantities<Sample>& sample_quantities() {
       {"contacts", none, &S::contacts},
       {"steps", none, &S::steps},
       {"converged", none, &S::converged},
+      {"strain", none, &S::strain},
       {"beyond_small_strain", none, &S::beyond_small_strain},
   };
   return all;
@@ -58,6 +59,7 @@ const Quantities<Bounce>& bounce_quantities() {
       {"contact_time", time, &B::contact_time},
       {"flight_time", time, &B::flight_time},
       {"short_flight", none, &B::short_flight},
+      {"strain", none, &B::strain},
       {"beyond_small_strain", none, &B::beyond_small_strain},
   };
   return all;

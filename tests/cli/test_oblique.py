@@ -4,7 +4,7 @@ import json
 import math
 
 import pytest
-from conftest import number
+from conftest import number, rows
 
 pytestmark = pytest.mark.numbers
 
@@ -15,7 +15,8 @@ KEYS = (
     "tangential_restitution_error sliding sliding_after sliding_after_error tangential_after tangential_after_error "
     "spin_after spin_after_error second_spin_after second_spin_after_error friction_loss friction_loss_error "
     "vibration vibration_error dundurs coupling_restitution coupling_tangential_restitution coupling_sliding_after "
-    "contact_time cutoff runs steps energy_error converged unstable stays beyond_small_strain"
+    "contact_time cutoff runs steps energy_error converged unstable stays strain beyond_small_strain "
+    "turned beyond_small_turn"
 ).split()
 LEDGER = (
     "translation across rotation second_rotation vibration second_vibration dissipated friction unresolved stored"
@@ -26,6 +27,16 @@ def document(stoss, arguments):
     result = stoss.run(arguments, "--format json")
     assert result.returncode == 0, result.stderr
     return json.loads(result.stdout)
+
+
+def test_a_fast_spin_is_warned_of_with_its_angle(stoss):
+    fast = stoss.run(BALL, "--speed 0.05 --tangential 0.5 --spin -0.5 --format csv")
+    (row,) = rows(fast.stdout)
+    assert row["beyond_small_turn"] == "true"
+    assert float(row["turned"]) == pytest.approx(0.5 * float(row["contact_time[R/c]"]), rel=0.03)
+    assert f"turn by {float(row['turned']):.2g} rad" in fast.stderr
+    slow = stoss.run(BALL, "--speed 0.05 --tangential 0.01 --spin -0.01 --format csv")
+    assert slow.stderr == "" and rows(slow.stdout)[0]["beyond_small_turn"] == "false"
 
 
 def test_disk_is_that_of_finite_elements(stoss):

@@ -141,7 +141,7 @@ def test_dash_is_stdout(stoss, tmp_path):
 
 
 def test_no_progress_bar_off_a_terminal(stoss, tmp_path):
-    result = stoss.run(f"restitution --poisson 0.33 --speed 0.1,0.2 -o {tmp_path}/x")
+    result = stoss.run(f"restitution --poisson 0.33 --speed 0.05,0.1 -o {tmp_path}/x")
     assert result.stderr == ""
 
 

@@ -11,7 +11,7 @@ pytestmark = pytest.mark.numbers
 KEYS = (
     "poisson speed restitution restitution_error lost_fraction lost_fraction_error contact_time contact_time_error "
     "impulse_time impulse_time_error max_compression max_compression_error max_force max_force_error "
-    "lost_to_first lost_to_second dissipated cutoff modes runs steps energy_error converged stays "
+    "lost_to_first lost_to_second dissipated cutoff modes runs steps energy_error converged stays strain "
     "beyond_small_strain"
 ).split()
 RUN_KEYS = (
@@ -125,8 +125,20 @@ def test_speed_beyond_small_strain_is_flagged(stoss):
     result = stoss.run("restitution --poisson 0.33 --speed 0.1,0.7 --format csv")
     assert result.returncode == 0
     assert [row["beyond_small_strain"] for row in rows(result.stdout)] == ["false", "true"]
-    assert "linear elasticity" in result.stderr
+    assert "above 0.1: linear elasticity is no longer accurate" in result.stderr
+    assert f"strain of some {float(rows(result.stdout)[1]['strain']):.3g}," in result.stderr
     assert stoss.run("restitution --poisson 0.33 --speed 0.7 --quiet").stderr == ""
+
+
+PAPER = "restitution --body sphere --poisson 0.3 --young 2e11 --density 7850 --radius 0.005 --speed 1.6 --against plate"
+
+
+@pytest.mark.parametrize("under", ["", "/thickness=0.05,young=2e11,poisson=0.3,density=7850"])
+def test_a_sheet_of_paper_is_strained_too_much(stoss, under):
+    result = stoss.run(f"{PAPER},thickness=1e-4,young=3e9,density=800,poisson=0.3{under} --format csv")
+    (row,) = rows(result.stdout)
+    assert row["beyond_small_strain"] == "true" and "linear elasticity" in result.stderr
+    assert stoss.data(f"{PAPER},thickness=0.02,young=2e11,density=7850")[0]["beyond_small_strain"] == "false"
 
 
 @pytest.mark.parametrize("form", ["table", "csv", "json"])

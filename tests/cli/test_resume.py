@@ -11,7 +11,7 @@ from conftest import SMALL, resume, rows, wait_for_rows
 
 pytestmark = pytest.mark.numbers
 
-JOB = "restitution --poisson 0.33,-0.2 --speed log:1e-3:0.3:60"
+JOB = "restitution --poisson 0.33,-0.2 --speed log:1e-3:0.09:60"
 INTERRUPTED = "# interrupted: the rows above are complete, later ones are missing\n"
 
 

@@ -77,9 +77,9 @@ int main(void)
 @pytest.fixture(scope="module")
 def folder(stoss, tmp_path_factory):
     folder = tmp_path_factory.mktemp("rules")
-    written(stoss, folder, BALLS)
-    written(stoss, folder, f"{MIXTURE} --name mix --beyond error", "mix.h")
-    written(stoss, folder, f"{DISK} --name disk", "disk.h")
+    written(stoss, folder, f"{BALLS} --quiet")
+    written(stoss, folder, f"{MIXTURE} --name mix --beyond error --quiet", "mix.h")
+    written(stoss, folder, f"{DISK} --name disk --quiet", "disk.h")
     (folder / "main.c").write_text(PROGRAM)
     (folder / "collisions.c").write_text(COLLISIONS)
     (folder / "unused.c").write_text('#include "stoss.h"\n#include "mix.h"\nint main(void) { return 0; }\n')
@@ -213,3 +213,9 @@ def test_threads_change_nothing(stoss, document):
 def test_refusals(stoss, words, said):
     result = stoss.run("table", words)
     assert result.returncode != 0 and said in result.stderr and result.stderr.count("\n") == 1
+
+
+def test_what_a_function_of_the_sliding_leaves_out_is_said(stoss):
+    wide = stoss.run(BALLS.replace("1e-3:1e-2", "0.04:0.06").replace("0.05", "0.1"))
+    assert wide.returncode == 0 and "does not tell velocity from spin" in wide.stderr
+    assert "velocity from spin" not in stoss.run(BALLS.replace("1e-3:1e-2", "1e-3:2e-3").replace("0.05", "0.02")).stderr

@@ -55,7 +55,9 @@ val oblique(const Question& asked) {
     add(quantities, *meeting, oblique_ledger_quantities(), result.finest.energy);
   }
   add(quantities, *meeting, oblique_quantities(), result);
-  return answer(*meeting, asked.number("speed"), quantities, result, result.finest.normal);
+  val made = answer(*meeting, asked.number("speed"), quantities, result, result.finest.normal);
+  made.set("beyondSmallTurn", result.finest.beyond_small_turn);
+  return made;
 }
 
 /// The rule at many angles, one by one.

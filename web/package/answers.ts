@@ -40,8 +40,10 @@ export interface Restitution {
   cutoff: number;
   /** what to know of a body that stays on a plate; '' */
   note: string;
-  /** Whether linear elasticity has lost its meaning. */
+  /** Whether strains are above 0.1, the quantity `strain`: linear elasticity is no longer accurate. */
   beyondSmallStrain: boolean;
+  /** Of an oblique impact: whether the contact rolls by more than its half-width, as bodies turn by the angle `turned`. */
+  beyondSmallTurn?: boolean;
   /** of spheres in SI, one of which has a yield strength: the speed in m/s at which it begins to yield */
   yieldSpeed?: number;
   /** beyond that speed: how far, in one line, which the command prints as a warning */

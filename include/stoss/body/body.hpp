@@ -88,6 +88,14 @@ struct BodyPart {
   double giving = 0.0;  ///< speed times √time over an impulse, long after it: 1/(2ρh √(2π√(D/ρh))) of a strip
 };
 
+/// What presses on a body in an impact, at most, in the units of the body.
+struct Load {
+  double force = 0.0;        ///< F
+  double half_width = 0.0;   ///< a of the contact
+  double compression = 0.0;  ///< by which it gives way, at most
+  double duration = 0.0;
+};
+
 struct Body;
 
 /// How far a body is known of which only a point is (ModalBody); other bodies are known as they are.
@@ -166,6 +174,10 @@ struct Body {
   /// the surface. Rings move along the axis (first component) and out from it (second). Empty for other bodies.
   std::function<Body(const Poll& poll)> outward{};
 
+  /// Greatest strain under a load, estimated, of a body that has layers or is thin; empty: no more than near the
+  /// contact.
+  std::function<double(const Load& load)> strain{};
+
   /// Displacements at each point: all arrays of Surface, and the residual matrices, are those of the first component at
   /// every point, then of the second. Only bodies that `along` or `outward` makes have more than one. What meets as the
   /// second body is turned around, which changes the sign of its second component.
@@ -182,6 +194,12 @@ using BodyMaker = std::function<Body(double cutoff, const Poll& poll)>;
 /// weights and 0 < ω ≤ kept_cutoff(body); all functions.
 /// @throws InvalidInput naming the body and what is wrong with it
 void validate(const Body& body);
+
+/// Mean pressure of a load, F/πa² on a circle, F/2a on a line.
+[[nodiscard]] double pressure(Contour contour, const Load& load);
+
+/// Mean strain near a contact over the mean pressure and 1/E*: 0.2 a/R over 4a/3πR (Tabor; Hertz).
+inline constexpr double strain_of_contact = 0.47;
 
 /// Highest frequency of the modes that a body keeps at a cutoff, both in one unit of frequency and η in that of time:
 /// the cutoff, or less in a lossy material, min(ω_c, √(ω_c/η)).

@@ -24,7 +24,8 @@ namespace stoss {
 /// Of a body by its modes, R and I are those with which friction turns it, and m the whole mass (PointTangent).
 ///
 /// Turning leaves a round surface where it is. Points beside the foremost one have an arm a little shorter than R
-/// (linear kinematics, docs/theory/oblique.md).
+/// (linear kinematics, docs/theory/oblique.md). The contact stays where it is on each body, which takes angles far
+/// below a/R during the contact (ObliqueImpact::turned).
 struct Obliquity {
   double tangential = 0.0;   ///< v_t: velocity of the centre of the first body along y relative to the second, c
   double spin = 0.0;         ///< Ω₁ of the first body, c/R
@@ -64,6 +65,9 @@ struct ObliqueImpact {
   double unsettled_sliding = 0.0;       ///< by how much s′ of a body that stays on a plate may be off, c; else 0
   double unsettled_heat = 0.0;          ///< the same of `friction` in the ledger, which then is vibration
   double impulse = 0.0;                 ///< ∫ Σq dt of friction over the reduced mass, c: the change of v_t
+  double turned = 0.0;             ///< largest angle by which a body, or the line between two centres, turns meanwhile
+  bool beyond_small_turn = false;  ///< the contact rolls by more than its half-width on a body, R·angle > a: linear
+                                   ///< kinematics, which leaves it where it is, is no longer accurate
   ObliqueLedger energy;
   double momentum_error = 0.0;          ///< |impulse + change of momentum| along the surface / (μ_r (v_n + |s|))
   double angular_momentum_error = 0.0;  ///< the same of the spins and the moments of friction, / (I_k (v_n + |s|)/R)

@@ -24,7 +24,8 @@ struct Sample {
   int contacts = 0;                  ///< separate periods of contact
   std::int64_t steps = 0;            ///< of all runs
   bool converged = false;            ///< whether the error of 1 − ε² is that asked for, or less
-  bool beyond_small_strain = false;  ///< linear elasticity has lost its meaning (Impact)
+  double strain = 0.0;               ///< as in Impact
+  bool beyond_small_strain = false;  ///< as in Impact
   std::string reason;                ///< why it has not converged
 };
 

@@ -74,6 +74,7 @@ class Bounces(MayYield, RowResult):
     contact_time: NDArray[np.float64]
     flight_time: NDArray[np.float64]
     short_flight: NDArray[np.bool_]
+    strain: NDArray[np.float64]
     beyond_small_strain: NDArray[np.bool_]
 
     def __repr__(self) -> str:

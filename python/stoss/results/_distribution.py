@@ -77,6 +77,7 @@ class RestitutionDistribution(InSi, RowResult):
     contacts: NDArray[np.int64]
     steps: NDArray[np.int64]
     converged: NDArray[np.bool_]
+    strain: NDArray[np.float64]
     beyond_small_strain: NDArray[np.bool_]
     reason: NDArray[np.object_]
 

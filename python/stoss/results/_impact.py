@@ -80,6 +80,7 @@ class Impact(ImpactsInSi):
     energy_error: float
     momentum_error: float
     stays: bool
+    strain: float
     beyond_small_strain: bool
     mode_energies: NDArray[Any]
     tail: str

@@ -22,7 +22,7 @@ from stoss.results._obliquity import MOTION, Oblique, choose_motion, explained
 from stoss.results._progress import bar
 from stoss.results._restitution import Flag, Integer
 from stoss.results._result import QUANTITIES, Column, Number, columns, picture
-from stoss.results._si import Si, finished
+from stoss.results._si import Si, finished, warn_of_turning
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -102,7 +102,10 @@ class ObliqueRestitution(Oblique):
     converged: Flag
     unstable: Flag
     stays: Flag
+    strain: Number
     beyond_small_strain: Flag
+    turned: Number
+    beyond_small_turn: Flag
     reason: str | NDArray[np.object_]
     tolerance: float
     state: NDArray[Any] | None
@@ -210,4 +213,5 @@ def oblique(
     shaped, shares = ({name: arranged(each, shape) for name, each in own.items()} for own in (values, ledger))
     kept = modes if modes.size else None
     result = ObliqueRestitution(chosen, met, tolerance=limit, state=kept, energy=ObliqueLedger(**shares), **shaped)
+    warn_of_turning(result, 2)
     return finished(result, len(why) if stopped else None)

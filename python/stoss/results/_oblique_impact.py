@@ -70,7 +70,10 @@ class ObliqueImpact(Oblique, ImpactsInSi):
     momentum_error: float
     angular_momentum_error: float
     stays: bool
+    strain: float
     beyond_small_strain: bool
+    turned: float
+    beyond_small_turn: bool
     energy: ObliqueLedger
     state: NDArray[Any] | None
     _handle: _core.ObliqueImpact = dataclasses.field(repr=False)

@@ -84,6 +84,7 @@ class Restitution(ImpactsInSi):
     energy_error: Number
     converged: Flag
     stays: Flag
+    strain: Number
     beyond_small_strain: Flag
     reason: str | NDArray[np.object_]
     tolerance: float

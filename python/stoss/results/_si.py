@@ -172,5 +172,17 @@ def warn_of_staying(result: Any, stacklevel: int) -> None:
 def warn_of_large_strain(result: Any, stacklevel: int) -> None:
     """A warning, as from that many calls above, of impacts that no linear elasticity describes."""
     if np.any(result.beyond_small_strain):
-        text = "speed above 0.5 c or compression above 0.5 R: linear elasticity has lost its meaning there"
+        strain = np.max(np.asarray(result.strain)[np.asarray(result.beyond_small_strain)])
+        text = f"strain of some {strain:.3g}, above 0.1: linear elasticity is no longer accurate there"
+        warnings.warn(text, StossWarning, stacklevel=stacklevel + 1)
+
+
+def warn_of_turning(result: Any, stacklevel: int) -> None:
+    """A warning, as from that many calls above, of bodies that turn too far for linear kinematics while they touch."""
+    if np.any(result.beyond_small_turn):
+        turned = np.max(np.asarray(result.turned)[np.asarray(result.beyond_small_turn)])
+        text = (
+            f"the bodies turn by {turned:.2g} rad while they touch, and their contact rolls by more than its"
+            " half-width: linear kinematics is no longer accurate there"
+        )
         warnings.warn(text, StossWarning, stacklevel=stacklevel + 1)

@@ -11,6 +11,7 @@
 
 #include "bodies/plate/given.hpp"
 #include "bodies/plate/plate_waves.hpp"
+#include "bodies/plate/strain.hpp"
 #include "bodies/sphere/degree_sums.hpp"
 #include "bodies/surface/wave_body.hpp"
 #include "check.hpp"
@@ -130,6 +131,7 @@ Body made(const Given& given, double cutoff, double duration, const Poll& poll) 
                                         : of_branches(given, cutoff, duration, poll);
   body.name = name_of(given);
   if (!std::isinf(given.layers.back().thickness)) give_way(given, body.part);
+  body.strain = [given](const Load& load) { return strain_under(given, load); };
   body.near_side = [given](double longest, double limit, const Poll& heed) {
     return made(given, limit, longest, heed);
   };

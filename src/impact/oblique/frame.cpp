@@ -15,6 +15,23 @@
 #include "stoss/errors.hpp"
 
 namespace stoss {
+namespace {
+
+/// By how much bodies turn while they touch, with the mean of the spins before and after.
+void note_turning(const ObliqueFrame& frame, ObliqueImpact& impact, const Impact& normal) {
+  const auto angle = [time = normal.contact_time](double before, double after) {
+    return 0.5 * (std::abs(before) + std::abs(after)) * time;
+  };
+  const auto [first, second] = frame.radius;
+  const double of_centers =
+      second > 0.0 ? angle(impact.before.tangential, impact.tangential_after) / (first + second) : 0.0;
+  const std::array angles{std::max(of_centers, angle(impact.before.spin, impact.spin_after)),
+                          std::max(of_centers, angle(impact.before.second_spin, impact.second_spin_after))};
+  impact.turned = std::max(angles[0], angles[1]);
+  impact.beyond_small_turn = std::max(first * angles[0], second * angles[1]) > normal.max_half_width;
+}
+
+}  // namespace
 
 ObliqueFrame::ObliqueFrame(const Contact& contact, double speed_towards, const ImpactOptions& options)
     : speed(speed_towards),
@@ -185,6 +202,7 @@ ObliqueImpact ObliqueFrame::joined(Impact normal, const Obliquity& before, Along
   ledger.friction = after.friction / initial;
   ledger.unresolved = share * own.unresolved + after.unresolved / initial;
   ledger.stored = share * own.stored + after.stored / initial;
+  note_turning(*this, result, normal);
   result.energy_error = 1.0 - ledger.translation - ledger.across - ledger.rotation - ledger.second_rotation -
                         ledger.vibration - ledger.second_vibration - ledger.dissipated - ledger.friction -
                         ledger.unresolved - ledger.stored;

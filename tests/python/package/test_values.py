@@ -111,7 +111,7 @@ def test_restitution_is_that_of_the_command(command):
     for i, record in enumerate(records):
         record = {**record, "runs": len(record["runs"])}
         for name in [*ARRAYS, "poisson", "speed", "restitution", *ERRORS, "cutoff", "energy_error", "modes", "runs",
-                     "steps", "converged", "beyond_small_strain"]:  # fmt: skip
+                     "steps", "converged", "strain", "beyond_small_strain"]:  # fmt: skip
             assert getattr(result, name).ravel()[i] == record[name], name
 
 

@@ -75,9 +75,12 @@ export function yieldInWords({ si }: Encounter, { yieldSpeed, yieldWarning }: Re
 const noticeableCoupling = 0.01;
 
 /** What a reader should know about a result, one line each. */
-export function flags({ reason, converged, note, beyondSmallStrain, quantities }: Restitution): string[] {
+export function flags(
+  { reason, converged, note, beyondSmallStrain, beyondSmallTurn, quantities }: Restitution,
+): string[] {
   // The core's advice is about a tolerance, which is no input here.
   const why = reason.replace(/; try an? [^;]*$/, '') || 'tolerance not reached';
+  const digits = (name: string, count: number): string => significant(quantities[name]?.value ?? NaN, count);
   const coupling = Math.abs(quantities.coupling_tangential_restitution?.value ?? 0);
   return [
     coupling <= noticeableCoupling ? ''
@@ -86,7 +89,10 @@ export function flags({ reason, converged, note, beyondSmallStrain, quantities }
     note && `${note.charAt(0).toUpperCase()}${note.slice(1).replace(' (stays)', '').replace('eps', 'ε')}.`,
     converged ? '' : `Not as accurate as asked for: ${why}.`,
     beyondSmallStrain
-      ? 'Beyond small strain: above 0.5 c or a compression of 0.5 R linear elasticity has lost its meaning.' : '',
+      ? `Beyond small strain, by some ${digits('strain', 3)}: above 0.1 linear elasticity is no longer accurate.` : '',
+    beyondSmallTurn
+      ? `The bodies turn by ${digits('turned', 2)} rad while they touch, and their contact rolls by more than its `
+        + 'half-width: linear kinematics is no longer accurate.' : '',
   ].filter(Boolean);
 }
 
@@ -140,7 +146,6 @@ export function createResults() {
         yield: yieldInWords(encounter, result),
       });
       find('rebound-row', HTMLElement).hidden = full === '';
-      find('force-note', HTMLElement).hidden = encounter.kind !== 'rod';
       find('yield', HTMLElement).classList.toggle('problem', result.yieldWarning !== undefined);
       section.dataset.stage = stage;
       const aim = `accurate to ${tangential ? '10⁻² of the sliding velocity' : '10⁻³ of 1 − ε², or to 10⁻⁶'}`;

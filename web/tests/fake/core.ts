@@ -33,6 +33,7 @@ function restitution(encounter: Encounter, speed: number, tolerance: number): Re
       max_force: encounter.si ? { value: 2352, unit: 'N', error: 0.9 } : { value: 0.0547, unit: 'piRE', error: 0.0014 },
       max_compression: encounter.si
         ? { value: 1.76e-5, unit: 'm', error: 3e-9 } : { value: 0.168405, unit: 'R', error: 5e-6 },
+      strain: { value: speed / barSpeed(encounter), unit: '' },
     },
     converged: encounter.kind !== 'rod',
     reason: encounter.kind === 'rod' ? 'did not reach the tolerance: that needs modes up to 632 c/R, the limit is 362; try a tolerance that is larger' : '',

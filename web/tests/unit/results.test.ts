@@ -70,3 +70,14 @@ describe('a quantity', () => {
     expect(force(327.25, 0.14)).toBe('327.25 ± 0.14\u00a0N');
   });
 });
+
+describe('how far bodies are strained and turned', () => {
+  it('is said with the number, where it is too far', () => {
+    const quantities = { strain: { value: 0.1234, unit: '' }, turned: { value: 4.04, unit: '' } };
+    const far = result(1, { value: 0.9, unit: '' }, { quantities, beyondSmallStrain: true, beyondSmallTurn: true });
+    const [strain, turn] = flags(far);
+    expect(strain).toMatch(/^Beyond small strain, by some 0\.123: above 0\.1 linear elasticity/);
+    expect(turn).toMatch(/^The bodies turn by 4 rad while they touch/);
+    expect(flags(result(1, { value: 0.9, unit: '' }, { quantities }))).toEqual([]);
+  });
+});
