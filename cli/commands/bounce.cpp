@@ -8,6 +8,7 @@
 #include "app.hpp"
 #include "input/encounter.hpp"
 #include "output/output_options.hpp"
+#include "output/progress.hpp"
 #include "process/process.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/vibration/quantities.hpp"
@@ -38,7 +39,7 @@ BounceOptions make_options(const BounceArguments& arguments, const Encounter& en
           .decay_time = in(arguments.decay_time, time),
           .resolution = {.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating},
           .vibration = encounter.vibration,
-          .poll = heed_interrupts};
+          .poll = waiting(arguments.output, "bounces")};
 }
 
 Provenance describe(const BounceArguments& arguments, const Encounter& encounter, double speed) {
@@ -73,8 +74,9 @@ void run(const BounceArguments& arguments) {
   refuse_tail(*arguments.command, encounter);
   const Units units = units_of(encounter);
   const double first = parse_speed(arguments.speed, units, "that of the first impact");
-  const Contact contact = contact_of(encounter, arguments.cutoff, slowest_bounce(first));
   const BounceOptions options = make_options(arguments, encounter, units);
+  catch_interrupts();
+  const Contact contact = contact_of(encounter, arguments.cutoff, slowest_bounce(first), options.poll);
   validate(contact, first, options);
 
   const Fields<Bounce> its = bounce_fields(units);
@@ -84,7 +86,6 @@ void run(const BounceArguments& arguments) {
   double fastest = 0.0;
   double strain = 0.0;  // greatest that is beyond what is small
   long short_flights = 0;
-  catch_interrupts();
   const OutputOptions& output = arguments.output;
   Writer writer = output.writer(describe(arguments, encounter, first), columns);
   writer.finish_after([&] {

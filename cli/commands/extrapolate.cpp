@@ -59,9 +59,13 @@ void compute(const Job& job, RowRun& run, const Fields<ExtrapolatedRestitution>&
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   ExtrapolatedRestitution result{{none, none}, {none, none}, {}, {}, 0};
   std::string trouble;
+  const auto poll = [&run] {
+    heed_interrupts();
+    run.wait("extrapolates");
+  };
   try {
     result = extrapolated_restitution(job.poisson(run.done()), job.speed(run.done()),
-                                      {.cutoffs = {}, .hardnesses = {}, .poll = heed_interrupts});
+                                      {.cutoffs = {}, .hardnesses = {}, .poll = poll});
   } catch (const NotConverged& error) {
     trouble = error.what();
   }

@@ -9,6 +9,7 @@
 #include "app.hpp"
 #include "input/encounter.hpp"
 #include "output/output_options.hpp"
+#include "output/progress.hpp"
 #include "process/process.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/quantities.hpp"
@@ -108,7 +109,6 @@ Impact compute(const ImpactArguments& arguments, const Encounter& encounter, con
   provenance.inputs["cutoff"] = arguments.cutoff;
   const Fields<Snapshot> fields(snapshot_quantities(), units);
   Writer writer(Output(arguments.trajectory), Format::csv, provenance, fields.columns());
-  catch_interrupts();
   Impact result;
   writer.finish_after([&] {
     const ImpactObserver observer = [&](const Snapshot& now) {
@@ -125,13 +125,14 @@ void run(const ImpactArguments& arguments) {
   refuse_tail(*arguments.command, encounter);
   check_trajectory(arguments);
   const double speed = parse_speed(arguments.speed, units_of(encounter), "stoss restitution takes lists");
-  ImpactOptions options{.resolution = arguments.resolution};
+  ImpactOptions options{.resolution = arguments.resolution, .poll = waiting(arguments.output, "impact")};
   options.resolution.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
-  const Contact contact = contact_of(encounter, arguments.cutoff, speed);
-  const Vibration& vibration = encounter.vibration;
-  if (!vibration.empty()) options.start = approach(contact, speed, vibration);
   const OutputOptions& asked = arguments.output;
   Output output(asked.path);
+  catch_interrupts();
+  const Contact contact = contact_of(encounter, arguments.cutoff, speed, options.poll);
+  const Vibration& vibration = encounter.vibration;
+  if (!vibration.empty()) options.start = approach(contact, speed, vibration);
   const Impact result = compute(arguments, encounter, contact, speed, options);
   if (result.remaining > 0.0) asked.warn(note_of_staying());
   if (result.beyond_small_strain) asked.warn_of_strain(result.strain, "here");

@@ -7,6 +7,7 @@
 #include "app.hpp"
 #include "input/encounter.hpp"
 #include "output/output_options.hpp"
+#include "output/progress.hpp"
 #include "process/process.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/encounter/visible.hpp"
@@ -44,7 +45,7 @@ PredictionOptions options_of(const PredictArguments& arguments) {
   PredictionOptions options{.work_of_adhesion = arguments.adhesion,
                             .tolerance = arguments.tolerance,
                             .threads = arguments.threads,
-                            .poll = heed_interrupts};
+                            .poll = waiting(arguments.output, "predicts")};
   for (const std::string& each : arguments.uncertainties) {
     const std::size_t sign = each.find('=');
     if (sign == std::string::npos) {
@@ -117,6 +118,7 @@ std::string influences_of(const std::vector<Prediction>& all) {
 void run(const PredictArguments& arguments) {
   const Encounter encounter = arguments.who.encounter();
   const std::vector<double> speeds = speeds_of(arguments);
+  Output output(arguments.output.path);
   catch_interrupts();
   const std::vector<Prediction> all = predict(encounter, speeds, options_of(arguments));
   const Units units{.own = UnitSystem::sphere_si, .in_si = UnitSystem::sphere_si};
@@ -126,7 +128,7 @@ void run(const PredictArguments& arguments) {
                                    {"by_models", {.width = 12}},
                                    {"by_constants", {.width = 14}},
                                    {"rebound_height", {.width = 16}}});
-  Writer writer = arguments.output.writer(describe(arguments, encounter), fields.columns(), Output::Use::whole);
+  Writer writer(std::move(output), arguments.output.chosen_format(), describe(arguments, encounter), fields.columns());
   std::set<std::string> warned;
   for (const Prediction& each : all) {
     writer.add(fields.row(each), details_of(each));

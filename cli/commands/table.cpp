@@ -8,6 +8,7 @@
 
 #include "app.hpp"
 #include "commands/table.hpp"
+#include "output/progress.hpp"
 #include "process/process.hpp"
 #include "process/text.hpp"
 #include "stoss/encounter/laws.hpp"
@@ -88,7 +89,7 @@ std::string text_of_function(const TableArguments& arguments, TableJob& job) {
   const FunctionOptions options{.error = share * arguments.error,
                                 .beyond = beyond(arguments),
                                 .threads = arguments.threads,
-                                .poll = heed_interrupts};
+                                .poll = waiting(arguments.output, "table")};
   const auto [slowest, fastest] = std::pair(job.speeds[0], job.speeds[1]);
   const auto computed = [&] {
     if (!arguments.predicted) return restitution_function(refinable(job.encounter), slowest, fastest, options);
@@ -104,9 +105,11 @@ std::string text_of_function(const TableArguments& arguments, TableJob& job) {
 
 std::string text_of_pairs(const TableArguments& arguments, const TableJob& job) {
   const auto [smallest, largest] = parse_ratios(arguments.ratio);
-  const PairTable table = pair_table(
-      mixture(job.encounter), job.speeds[0], job.speeds[1], smallest, largest,
-      {.error = arguments.error, .beyond = beyond(arguments), .threads = arguments.threads, .poll = heed_interrupts});
+  const PairTable table = pair_table(mixture(job.encounter), job.speeds[0], job.speeds[1], smallest, largest,
+                                     {.error = arguments.error,
+                                      .beyond = beyond(arguments),
+                                      .threads = arguments.threads,
+                                      .poll = waiting(arguments.output, "table")});
   return arguments.format == "c" ? c_header(table, label(arguments, job)) : as_json(arguments, job, table);
 }
 
@@ -126,6 +129,7 @@ void warn(const TableArguments& arguments, const TableJob& job) {
 void run(const TableArguments& arguments) {
   check_format(arguments);
   TableJob job = make_job(arguments);
+  if (arguments.format == "c") validate(TableLabel{.name = arguments.name, .scale = job.unit});
   if (arguments.format == "netcdf") write_netcdf_of_rule(arguments, job);
   Output output(arguments.output.path);
   catch_interrupts();

@@ -6,6 +6,7 @@
 #include "app.hpp"
 #include "commands/table.hpp"
 #include "output/output.hpp"
+#include "output/progress.hpp"
 #include "process/process.hpp"
 #include "process/text.hpp"
 #include "stoss/encounter/document.hpp"
@@ -50,7 +51,7 @@ RuleTable rule_of(const TableArguments& arguments, const TableJob& job) {
                                  .friction = arguments.friction,
                                  .beyond = beyond(arguments),
                                  .threads = arguments.threads,
-                                 .poll = heed_interrupts};
+                                 .poll = waiting(arguments.output, "table of the collision rule")};
   if (arguments.ratio.empty()) return rule_table(refinable(job.encounter), job.speeds[0], job.speeds[1], options);
   const auto [smallest, largest] = parse_ratios(arguments.ratio);
   return rule_table(mixture(job.encounter), job.speeds[0], job.speeds[1], smallest, largest, options);

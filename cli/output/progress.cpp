@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+
+#include "process/process.hpp"
 #include "process/system.hpp"
 
 namespace stoss::cli {
@@ -33,6 +36,13 @@ void Progress::wait(const std::string& state) {
 void Progress::hide() {
   if (visible_ || waiting_) stoss::cli::show(fmt::format("\r{:80}\r", ""));
   waiting_ = false;
+}
+
+Poll waiting(const OutputOptions& output, const std::string& state) {
+  return [progress = std::make_shared<Progress>(output, 1), state] {
+    heed_interrupts();
+    progress->wait(state);
+  };
 }
 
 }  // namespace stoss::cli

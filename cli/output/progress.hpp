@@ -5,6 +5,7 @@
 #include <string>
 
 #include "output/output_options.hpp"
+#include "stoss/poll.hpp"
 
 namespace stoss::cli {
 
@@ -37,5 +38,8 @@ class Progress {
   Clock::time_point begun_ = Clock::now();  ///< of the row under way
   Clock::time_point shown_ = begun_;
 };
+
+/// A poll that leaves at Ctrl-C, and meanwhile says on a terminal for how long what is being done.
+[[nodiscard]] Poll waiting(const OutputOptions& output, const std::string& state);
 
 }  // namespace stoss::cli

@@ -28,12 +28,17 @@ Motion moved(const Motion& at, const Motion& rate, double time) {
 ZenerImpact zener_impact(double inelasticity, const ZenerMotion& start) {
   constexpr double usual_step = 2e-3, stays = 2e-5;
   constexpr double following = 0.03, room = 2.0;  // ṡ over V of a ball that follows its force, and for how long
+  constexpr double rounding = 1e-12;              // of ṡ over V
+  // A ball that follows its force has −ṡ/V = ⅔ λ^(−5/3) V^(−1/3): with this λ or more it does so until it stays.
+  constexpr double follows_to_the_end = 20.0;
+  // From s = 0 on, in the time in which the dashpot's force grows to the speed's.
+  const double first_step = std::cbrt(0.04 / (inelasticity * inelasticity));
   double time = 0.0, followed = 0.0;
   Motion now{start.compression, start.speed};
   while (true) {
     // A stiff dashpot lets the compression follow the speed of the ball at once.
     const double stiff = 1.5 * inelasticity * std::sqrt(std::max(now[0], 0.0));
-    const double step = std::min(usual_step * (1.0 + 0.2 * time), 0.3 / stiff);
+    const double step = std::min(usual_step * (1.0 + 0.2 * time), std::min(0.3 / stiff, first_step));
     const Motion first = rate(now, inelasticity), second = rate(moved(now, first, 0.5 * step), inelasticity);
     const Motion third = rate(moved(now, second, 0.5 * step), inelasticity);
     const Motion fourth = rate(moved(now, third, step), inelasticity);
@@ -45,9 +50,11 @@ ZenerImpact zener_impact(double inelasticity, const ZenerMotion& start) {
       const double share = now[0] / (now[0] - next[0]);
       return {-(now[1] + share * (next[1] - now[1])), time + share * step};
     }
-    if (followed == 0.0 && first[0] < 0.0 && -first[0] < following * now[1]) followed = room * time;
+    const bool back = first[0] < rounding * now[1], slowly = -first[0] < following * now[1];
+    if (followed == 0.0 && back && slowly) followed = room * time;
     now = next;
     time += step;
+    if (followed > 0.0 && time > followed && inelasticity > follows_to_the_end) return {0.0, followed};
     const double potential = 0.8 * now[0] * now[0] * std::sqrt(now[0]);  // over the same ½mv² as V²
     if (now[1] * now[1] + potential < stays) return {0.0, followed > 0.0 ? std::min(followed, time) : time};
   }

@@ -234,10 +234,10 @@ RefinableContact refinable(const Encounter& encounter) {
   return {first_maker(encounter), second_maker(encounter)};
 }
 
-Contact contact_of(const Encounter& encounter, double cutoff, double speed) {
+Contact contact_of(const Encounter& encounter, double cutoff, double speed, const Poll& poll) {
   validate(encounter);
-  if (!is_at_wall(encounter)) return contact(first_maker(encounter), second_maker(encounter), cutoff, speed);
-  Body body = first_maker(encounter)(cutoff, {});
+  if (!is_at_wall(encounter)) return contact(first_maker(encounter), second_maker(encounter), cutoff, speed, poll);
+  Body body = first_maker(encounter)(cutoff, poll);
   if (mode_count(body) == 0 && body.loss_time == 0.0) require_modes(first_solid(encounter), cutoff);
   return contact(std::move(body), wall_of(encounter));
 }

@@ -1,5 +1,7 @@
 #include "numeric/gauss_legendre.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -8,41 +10,61 @@
 namespace stoss::numeric {
 namespace {
 
+/// Zeros that are found at once: their recurrences do not wait for each other.
+constexpr std::size_t lanes = 8;
+using Lanes = std::array<double, lanes>;
+
 /// P_n(x) and its derivative.
 struct Legendre {
-  double value, slope;
+  Lanes value, slope;
 };
 
-Legendre legendre(int n, double x) {
-  double before = 1.0, value = x;
+Legendre legendre(int n, const Lanes& x) {
+  Lanes before, value = x;
+  before.fill(1.0);
   for (int k = 2; k <= n; ++k) {
-    const double next = ((2.0 * k - 1.0) * x * value - (k - 1.0) * before) / k;
-    before = value;
-    value = next;
+    for (std::size_t l = 0; l < lanes; ++l) {
+      const double next = ((2.0 * k - 1.0) * x[l] * value[l] - (k - 1.0) * before[l]) / k;
+      before[l] = value[l];
+      value[l] = next;
+    }
   }
-  return {value, n * (before - x * value) / (1.0 - x * x)};
+  Lanes slope;
+  for (std::size_t l = 0; l < lanes; ++l) slope[l] = n * (before[l] - x[l] * value[l]) / (1.0 - x[l] * x[l]);
+  return {value, slope};
 }
 
 GaussRule made(int nodes) {
   GaussRule rule;
   rule.node.resize(static_cast<std::size_t>(nodes));
   rule.weight.resize(rule.node.size());
-  for (int i = 0; i < (nodes + 1) / 2; ++i) {
-    double x = std::cos(std::numbers::pi * (i + 0.75) / (nodes + 0.5));
-    if (2 * i + 1 == nodes) x = 0.0;
-    constexpr int iterations = 8;  // Newton's method doubles the digits of a start that has three
-    double last = 1.0;
-    for (int k = 0; k < iterations && std::abs(last) > 1e-17; ++k) {
-      const Legendre at = legendre(nodes, x);
-      last = at.value / at.slope;
-      x -= last;
+  const auto count = static_cast<std::size_t>((nodes + 1) / 2);
+  for (std::size_t first = 0; first < count; first += lanes) {
+    Lanes x;
+    for (std::size_t l = 0; l < lanes; ++l) {
+      const auto i = static_cast<double>(std::min(first + l, count - 1));
+      x[l] = 2.0 * i + 1.0 == nodes ? 0.0 : std::cos(std::numbers::pi * (i + 0.75) / (nodes + 0.5));
     }
-    const double slope = legendre(nodes, x).slope;
-    const double weight = 2.0 / ((1.0 - x * x) * slope * slope);
-    const auto low = static_cast<std::size_t>(i), high = static_cast<std::size_t>(nodes - 1 - i);
-    rule.node[low] = -x;
-    rule.node[high] = x;
-    rule.weight[low] = rule.weight[high] = weight;
+    constexpr int iterations = 8;  // Newton's method doubles the digits of a start that has three
+    constexpr double close = 1e-17;
+    Lanes last;
+    last.fill(1.0);
+    const auto open = [](double step) { return std::abs(step) > close; };
+    for (int k = 0; k < iterations && std::any_of(last.begin(), last.end(), open); ++k) {
+      const Legendre at = legendre(nodes, x);
+      for (std::size_t l = 0; l < lanes; ++l) {
+        if (!open(last[l])) continue;
+        last[l] = at.value[l] / at.slope[l];
+        x[l] -= last[l];
+      }
+    }
+    const Lanes slope = legendre(nodes, x).slope;
+    for (std::size_t l = 0; l < lanes && first + l < count; ++l) {
+      const std::size_t low = first + l, high = rule.node.size() - 1 - low;
+      rule.node[low] = -x[l];
+      rule.node[high] = x[l];
+      rule.weight[low] = rule.weight[high] = 2.0 / ((1.0 - x[l] * x[l]) * slope[l] * slope[l]);
+    }
   }
   return rule;
 }

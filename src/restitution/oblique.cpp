@@ -24,6 +24,7 @@ constexpr int rungs = 2;        // to the next run
 constexpr int last_level = 14;  // cutoff 64 at a wall
 constexpr int last_level_of_unstable = 4;
 constexpr int last_level_of_too_fine = 8;
+constexpr double most_without_hope = 3e9;  // of `work`, some seconds: what a run without hope may cost
 
 /// Highest level at which whole bodies are computed: the near side of a disk is much less accurate along its edge.
 int highest_level_of(const RefinableContact& contact, double stretch, const Poll& poll) {
@@ -54,6 +55,16 @@ void mix(ObliquePlan& plan, double beta, double friction) {
   plan.order = apart ? 1.7 : 1.0;
   plan.safety = apart ? 2.0 : 2.5;
   plan.of_few = apart ? 3.0 : 3.5;
+}
+
+/// What the run after one asks of the machine: steps, times the modes and the entries of the matrices between points,
+/// of rings also for all steps before (WaveMemory).
+double work_after(const ObliqueImpact& last, bool rings, std::size_t outcomes) {
+  constexpr double growth = 2.0, shapes = 16.0;  // with two rungs: √2 times the steps, and more points
+  const double points = last.normal.resolution.nodes, modes = static_cast<double>(last.normal.energy.modes.size());
+  const double steps = static_cast<double>(last.normal.steps);
+  const double before = rings ? 0.5 * steps * shapes * shapes : 0.0;
+  return growth * steps * (modes + (points * points + before) * static_cast<double>(1 + outcomes));
 }
 
 /// What several obliquities of one contact have in common.
@@ -128,6 +139,10 @@ double refine(const RefinableContact& contact, const ObliqueOptions& options, st
     }
     const auto done = [](const ObliqueRestitution* each) { return each->converged; };
     open.erase(std::remove_if(open.begin(), open.end(), done), open.end());
+    const double highest = contact.cutoff(levels.highest);
+    const auto hopeless = [&](const ObliqueRestitution* each) { return is_hopeless(plan, *each, highest); };
+    const bool dear = !open.empty() && work_after(open.front()->finest, rough, open.size()) > most_without_hope;
+    if (dear && std::all_of(open.begin(), open.end(), hopeless)) break;
   }
   for (ObliqueRestitution* each : open) give_up(plan, *each);
   return stretch;

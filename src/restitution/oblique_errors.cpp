@@ -134,6 +134,13 @@ void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution
       result.runs.size() >= three_runs && result.sliding_after.error <= result.tolerance * scale_of(result);
 }
 
+bool is_hopeless(const ObliquePlan& plan, const ObliqueRestitution& result, double highest) {
+  if (result.runs.size() < three_runs) return false;
+  if (plan.unstable || plan.too_fine()) return true;
+  const double missing = result.sliding_after.error / (result.tolerance * scale_of(result));
+  return !(result.runs.back().cutoff * std::pow(missing, 1.0 / plan.order) <= highest);
+}
+
 void give_up(const ObliquePlan& plan, ObliqueRestitution& result) {
   if (result.runs.size() >= 2) {
     if (plan.unstable) {

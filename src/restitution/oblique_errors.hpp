@@ -28,6 +28,9 @@ struct ObliquePlan {
 /// Adds a run to a result, and fills what follows from all of them.
 void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution& result);
 
+/// Whether finer runs up to a cutoff will hardly meet the tolerance, if the error falls with the cutoff as expected.
+[[nodiscard]] bool is_hopeless(const ObliquePlan& plan, const ObliqueRestitution& result, double highest);
+
 /// Says why a result has not converged; without two impacts there are no values.
 void give_up(const ObliquePlan& plan, ObliqueRestitution& result);
 

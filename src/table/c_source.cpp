@@ -101,6 +101,11 @@ std::vector<std::string> comment(const RestitutionFunction& function, const Tabl
 
 }  // namespace
 
+void validate(const TableLabel& label) {
+  table::require_c_name(label.name);
+  (void)table::speed_range(1.0, 1.0, label.scale);
+}
+
 std::string c_header(const RestitutionFunction& function, const TableLabel& label) {
   table::require_c_name(label.name);
   if (function.beyond() == Beyond::law) {

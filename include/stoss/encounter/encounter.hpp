@@ -65,7 +65,7 @@ void validate(const Encounter& encounter);
 
 /// At one cutoff, and for contacts as long as at this speed, both in units of the first body.
 /// @throws InvalidInput as validate and contact
-[[nodiscard]] Contact contact_of(const Encounter& encounter, double cutoff, double speed);
+[[nodiscard]] Contact contact_of(const Encounter& encounter, double cutoff, double speed, const Poll& poll = {});
 
 /// SI values of the units of the first body, where it has a material.
 [[nodiscard]] std::optional<Scales> si_scales(const Encounter& encounter);

@@ -19,6 +19,10 @@ struct TableLabel {
   std::vector<std::string> provenance{};  ///< lines: who made it, from what
 };
 
+/// Refuses a label with which no header can be written, before a table is computed for it.
+/// @throws InvalidInput for a name that C cannot have and a scale that is not positive and finite
+void validate(const TableLabel& label);
+
 /// Source text of a header in C89, C++ included, that has a function as plain functions and needs <math.h> only.
 ///
 /// With the name stoss it defines

@@ -14,6 +14,7 @@ namespace stoss::bodies::plate {
 namespace {
 
 constexpr double share_of_duration = 0.9;  // for which the quadratures hold
+constexpr double farthest = 1.0;           // in R, beyond all points: the shapes of waves turn with the distance, too
 
 /// Frequencies of modes at the last wave numbers, as far as they tell those at the next.
 class Track {
@@ -62,13 +63,28 @@ void add(const Flexibility& more, Flexibility& sum) {
   sum.tangential += more.tangential;
 }
 
+/// The layers that waves with ω ≤ cutoff reach from the upper face: deeper ones, in which slower waves may run, move
+/// this face by less than rounding.
+Sheets reached(const Sheets& part, double k, double cutoff) {
+  constexpr double negligible = 20.0;  // e^−20 there, e^−40 in what a load on the face sees
+  double decay = 0.0;
+  for (std::size_t i = 0; i + 1 < part.all.size(); ++i) {
+    const Sheet& sheet = part.all[i];
+    const double along = k * k - cutoff * cutoff * sheet.density / sheet.shear_modulus;
+    decay += sheet.thickness * std::sqrt(std::max(along, 0.0));
+    if (decay < negligible) continue;
+    return {{part.all.begin(), part.all.begin() + static_cast<std::ptrdiff_t>(i + 1)}, Floor::free, part.share};
+  }
+  return part;
+}
+
 PlaneWaves waves_of(const Lamina& plate, const WaveNumber& number, double cutoff, Tracks& tracks) {
   const double weight = plate.weight(number.k) * number.weight;
   PlaneWaves waves{number.k, number.weight, {}, {}, {}, {}, {}};
   const std::vector<Sheets>& parts = plate.parts(number.k);
   if (tracks.size() != parts.size()) tracks.assign(parts.size(), {});
   for (std::size_t part = 0; part < parts.size(); ++part) {
-    const Sheets& sheets = parts[part];
+    const Sheets sheets = reached(parts[part], number.k, cutoff);
     const Branches<2> its = branches<2>(sheets, number.k, cutoff, tracks[part].ahead(number.k));
     const double share = weight * sheets.share, scale = std::sqrt(share);
     for (std::size_t m = 0; m < its.omega.size(); ++m) {
@@ -101,8 +117,33 @@ double sum_across(const Lamina& plate, double k, const Response& response) {
 bool has_modes(const Lamina& plate, double k, double cutoff) {
   const std::vector<Sheets>& parts = plate.parts(k);
   return std::any_of(parts.begin(), parts.end(), [&](const Sheets& part) {
-    return count_below<2>(part, k, cutoff) > 0 || count_below<1>(part, k, cutoff) > 0;
+    const Sheets its = reached(part, k, cutoff);
+    return count_below<2>(its, k, cutoff) > 0 || count_below<1>(its, k, cutoff) > 0;
   });
+}
+
+/// A range of wave numbers, and what bounds the speed of energy in it.
+struct Panel {
+  double begin, end, speed;
+};
+
+/// With ω ≤ cutoff. In layers in which no waves run, energy is no faster than 2ω/k.
+std::vector<Panel> panels(const Lamina& plate, double cutoff) {
+  const double pressure = cutoff / plate.pressure_speed, shear = cutoff / plate.shear_speed;
+  const double last = highest_kept(plate, cutoff);
+  std::vector<Panel> all{{0.0, pressure, plate.pressure_speed}, {pressure, shear, plate.shear_speed}};
+  constexpr double unlike = 16.0;
+  if (plate.sheets.size() == 1 || last < unlike * shear) {
+    // Where modes slower than the shear waves are all that is kept, they carry energy no faster than these.
+    all.push_back({shear, last, plate.shear_speed});
+    return all;
+  }
+  for (double begin = shear; begin < last;) {
+    const double end = last < 3.0 * begin ? last : 2.0 * begin;
+    all.push_back({begin, end, std::min(plate.shear_speed, 2.0 * cutoff / begin)});
+    begin = end;
+  }
+  return all;
 }
 
 }  // namespace
@@ -140,13 +181,10 @@ double highest_kept(const Lamina& plate, double cutoff) {
 std::vector<WaveNumber> wave_numbers(const Lamina& plate, double cutoff, double duration) {
   constexpr double surplus = 1.1, more = 8.0;
   const double time = share_of_duration * duration;
-  // Where modes slower than the shear waves are all that is kept, they carry energy no faster than these.
-  const std::array end{0.0, cutoff / plate.pressure_speed, cutoff / plate.shear_speed, highest_kept(plate, cutoff)};
-  const std::array speed{plate.pressure_speed, plate.shear_speed, plate.shear_speed};
   std::vector<WaveNumber> all;
-  for (std::size_t p = 0; p < speed.size(); ++p) {
-    const double middle = 0.5 * (end[p] + end[p + 1]), half = 0.5 * (end[p + 1] - end[p]);
-    const double phase = surplus * 2.0 * half * speed[p] * time;
+  for (const auto& [begin, end, speed] : panels(plate, cutoff)) {
+    const double middle = 0.5 * (begin + end), half = 0.5 * (end - begin);
+    const double phase = surplus * 2.0 * half * std::max(speed * time, farthest);
     const auto& rule = numeric::gauss_legendre(static_cast<int>(std::ceil(0.25 * phase + more)));
     for (std::size_t i = 0; i < rule.node.size(); ++i) {
       all.push_back({middle + half * rule.node[i], half * rule.weight[i]});
@@ -195,8 +233,8 @@ std::vector<SurfaceWaves> waves_along(const std::vector<PlaneWaves>& waves, cons
     const std::vector<Sheets>& parts = plate.parts(from.wave_number);
     if (tracks.size() != parts.size()) tracks.assign(parts.size(), {});
     for (std::size_t part = 0; part < parts.size(); ++part) {
-      const Branches<1> across =
-          branches<1>(parts[part], from.wave_number, cutoff, tracks[part].ahead(from.wave_number));
+      const Branches<1> across = branches<1>(reached(parts[part], from.wave_number, cutoff), from.wave_number, cutoff,
+                                             tracks[part].ahead(from.wave_number));
       const double share = half * from.weight * plate.weight(from.wave_number) * parts[part].share;
       for (std::size_t m = 0; m < across.omega.size(); ++m) {
         along.omega.push_back(across.omega[m]);

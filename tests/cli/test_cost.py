@@ -1,0 +1,47 @@
+"""What the command takes of the processor, in processor time: it ends, or refuses before it computes."""
+
+import resource
+import subprocess
+
+import pytest
+
+
+def bounded(stoss, arguments, seconds):
+    """Runs the command, which is killed after so much processor time; returns the process and what it has used."""
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
+
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    result = subprocess.run(
+        [stoss.path, *arguments.split()], capture_output=True, text=True, stdin=subprocess.DEVNULL, preexec_fn=limit
+    )
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return result, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+BALL = "--body sphere --poisson 0.3 --speed 0.01"
+MANY = "thickness=0.1" + "".join(f"/thickness=0.1,young={(1000, 1)[i % 2]}" for i in range(19))
+
+
+@pytest.mark.parametrize(
+    "against",
+    [
+        "plate,thickness=0.02,young=0.3,density=0.001",  # of which almost nothing comes back
+        "plate,thickness=0.5/thickness=0.1,young=0.001,density=100",  # a slow layer where no wave goes
+        "plate,thickness=0.5,young=0.001/thickness=0.1,young=1000",
+        "plate," + MANY,
+    ],
+)
+def test_plates_of_all_layers_end(stoss, against):
+    result, used = bounded(stoss, f"restitution {BALL} --against {against}", 20)
+    assert result.returncode == 0, result.stderr
+    assert used < 8.0
+
+
+@pytest.mark.parametrize("what", ["--against same --oblique", "--against same", "--against same --ratio 1:2"])
+def test_a_name_that_c_cannot_have_is_refused_before_the_table(stoss, what):
+    result, used = bounded(stoss, f"table --body sphere --poisson 0.3 --speed 1e-4:1e-2 {what} --name a-b", 20)
+    assert result.returncode == 3
+    assert result.stderr.startswith("stoss: error: name: got 'a-b'")
+    assert used < 1.0
