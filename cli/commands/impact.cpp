@@ -21,7 +21,7 @@ struct ImpactArguments {
   EncounterOptions who;
   std::string speed;
   std::string tail = "radiating";
-  double cutoff = 50.0;
+  double cutoff = 0.0;
   Resolution resolution;
   std::string trajectory;
   int every = 1;
@@ -120,9 +120,11 @@ Impact compute(const ImpactArguments& arguments, const Encounter& encounter, con
   return result;
 }
 
-void run(const ImpactArguments& arguments) {
+void run(const ImpactArguments& asked_for) {
+  ImpactArguments arguments = asked_for;
   const Encounter encounter = arguments.who.encounter();
   refuse_tail(*arguments.command, encounter);
+  if (!given(*arguments.command, "--cutoff")) arguments.cutoff = usual_cutoff(encounter);
   check_trajectory(arguments);
   const double speed = parse_speed(arguments.speed, units_of(encounter), "stoss restitution takes lists");
   ImpactOptions options{.resolution = arguments.resolution, .poll = waiting(arguments.output, "impact")};
@@ -178,8 +180,10 @@ void add_impact(CLI::App& app) {
   add_choice(command, "--tail", arguments.tail, {"radiating", "static"},
              "Model of the modes above the cutoff: radiating absorbs energy, static does not (default: radiating)",
              "TAIL", "Against");
-  add(command, "--cutoff", arguments.cutoff, "Modes up to this frequency in c/R are kept (default: 50)", "OMEGA",
-      "Resolution");
+  add(command, "--cutoff", arguments.cutoff,
+      "Modes up to this frequency in c/R are kept (default: 50; on a half-space or a plate 16 over "
+      "the time scale of both)",
+      "OMEGA", "Resolution");
   add(command, "--step", arguments.resolution.step, "Time step in R/c (default: recommended)", "DT", "Resolution");
   add(command, "--nodes", arguments.resolution.nodes, "Contact nodes, 16 to 4096 (default: recommended)", "N",
       "Resolution");

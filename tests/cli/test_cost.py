@@ -4,6 +4,7 @@ import resource
 import subprocess
 
 import pytest
+from conftest import number, rows
 
 
 def bounded(stoss, arguments, seconds):
@@ -45,3 +46,14 @@ def test_a_name_that_c_cannot_have_is_refused_before_the_table(stoss, what):
     assert result.returncode == 3
     assert result.stderr.startswith("stoss: error: name: got 'a-b'")
     assert used < 1.0
+
+
+@pytest.mark.parametrize("against", ["half-space", "half-space,young=0.1,density=10", "plate,thickness=1"])
+def test_one_impact_needs_no_cutoff(stoss, against):
+    """On what has no end, the modes that are kept by default are few, and enough."""
+    result, used = bounded(stoss, f"impact {BALL} --against {against} --format csv", 10)
+    assert result.returncode == 0, result.stderr
+    assert used < 3.0
+    row, = rows(result.stdout)
+    exact, = stoss.data(f"restitution {BALL} --against {against}")
+    assert abs(number(row, "restitution") - number(exact, "restitution")) < 2e-4
