@@ -14,7 +14,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 DEB = ROOT / "build/deb"
 CHROOT = ROOT / "build/deb-chroot"
-NAMES = ("libstoss1", "libstoss-dev", "stoss", "python3-stoss", "stoss-doc")
+NAMES = ("libstoss2", "libstoss-dev", "stoss", "python3-stoss", "stoss-doc")
 pytestmark = pytest.mark.long
 
 
@@ -63,7 +63,7 @@ def test_each_file_is_in_the_package_that_it_belongs_to(packages):
     version = run("dpkg-parsechangelog", "--show-field", "Version").strip()
     held = {name: run("dpkg-deb", "--contents", str(file)) for name, file in packages.items()}
     for name, path in {
-        "libstoss1": f"/libstoss.so.{version.partition('-')[0]}",
+        "libstoss2": f"/libstoss.so.{version.partition('-')[0]}",
         "libstoss-dev": "/usr/include/stoss/stoss.h",
         "stoss": "/usr/bin/stoss",
         "python3-stoss": "/usr/lib/python3/dist-packages/stoss/__init__.py",
@@ -78,7 +78,7 @@ def test_each_file_is_in_the_package_that_it_belongs_to(packages):
         assert path in held["stoss"], path
     # Of the library there is one copy, which the others use.
     for name in ("stoss", "python3-stoss"):
-        assert re.search(r"\blibstoss1 \(", run("dpkg-deb", "--field", str(packages[name]), "Depends"))
+        assert re.search(r"\blibstoss2 \(", run("dpkg-deb", "--field", str(packages[name]), "Depends"))
 
 
 def test_programs_are_hardened_and_look_for_libraries_where_debian_has_them(unpacked):
@@ -99,7 +99,7 @@ def test_programs_are_hardened_and_look_for_libraries_where_debian_has_them(unpa
 @pytest.fixture
 def packaged_command(unpacked):
     """Runs the command of the packages; returns what it prints."""
-    folder = only(unpacked.glob("usr/lib/*/libstoss.so.1")).parent
+    folder = only(unpacked.glob("usr/lib/*/libstoss.so.2")).parent
     environment = {**os.environ, "LD_LIBRARY_PATH": str(folder)}
     return lambda *words: run(str(unpacked / "usr/bin/stoss"), *words, env=environment)
 
