@@ -87,7 +87,8 @@ class Drop {
  private:
   [[nodiscard]] Computed computed_channels() const {
     const Kind& met = kind(encounter_.against.kind);
-    if (met.wall || met.bounded) return channels(impact_, 1.0, 0.0);
+    const bool failed = impact_.runs.empty();  // all is NaN
+    if (met.wall || met.bounded || failed) return channels(impact_, 1.0, 0.0);
     if (impact_.dissipated == 0.0) return channels(impact_, impact_.lost_to_first, impact_.lost_to_second);
     // As the bodies without loss share them, since heat counts with each. A long contact needs so many modes of the
     // block that one coarse impact must do: hardly anything rings then.

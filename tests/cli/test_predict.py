@@ -123,3 +123,12 @@ def test_slow_balls_on_blocks_take_hardly_longer_than_without_models(stoss):
 
     alone = min(taken("restitution --absolute 1e-5 --quiet", ball) for _ in range(2))
     assert min(taken("predict --quiet", ball) for _ in range(2)) < 1.7 * alone
+
+
+def test_what_is_not_computed_is_said(stoss):
+    """On a lossy plate on which the ball stays: there is no run whose waves could be shared."""
+    layers = ("thickness=0.015,poisson=0.4999,young=1.3e11,density=10500,loss_time=0/thickness=0.0005,material=PMMA"
+              "/thickness=0.01,poisson=-0.6,young=6e5,density=2500")
+    ball = "--body sphere --radius 0.0027 --poisson 0.4 --young 2e11 --density 400 --rigid-body --speed 0.1"
+    result = stoss.run("predict", ball, f"--against plate,{layers}")
+    assert result.returncode in (0, 1) and "not computed" in result.stdout, result.stderr
