@@ -8,6 +8,7 @@
 
 #include "app.hpp"
 #include "input/encounter.hpp"
+#include "output/progress.hpp"
 #include "output/row_run.hpp"
 #include "process/process.hpp"
 #include "process/system.hpp"
@@ -45,7 +46,8 @@ Ensemble make_ensemble(const DistributionArguments& arguments, const Encounter& 
   const Units units = units_of(encounter);
   const double speed = parse_speed(arguments.speed, units);
   RefinableContact contact = refinable(encounter);
-  Spectrum spectrum = arguments.spectrum.spectrum(contact, heed_interrupts);
+  const Poll poll = waiting(arguments.rows.output, "modes that vibrate");
+  Spectrum spectrum = arguments.spectrum.spectrum(contact, poll);
   if (arguments.seed < 0) {
     throw InvalidInput(
         fmt::format("seed: got {}, allowed 0 to 2147483647 (another one, another ensemble)", arguments.seed));
@@ -54,9 +56,10 @@ Ensemble make_ensemble(const DistributionArguments& arguments, const Encounter& 
                                     .seed = static_cast<std::uint64_t>(arguments.seed),
                                     .error = arguments.error,
                                     .threads = arguments.threads,
-                                    .poll = heed_interrupts};
+                                    .poll = poll};
   Ensemble ensemble{std::move(contact), speed, std::move(spectrum), options, units};
   validate(ensemble.contact, ensemble.speed, ensemble.spectrum, ensemble.options);
+  ensemble.options.poll = heed_interrupts;  // rows say themselves what they do
   return ensemble;
 }
 

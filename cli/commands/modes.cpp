@@ -6,6 +6,8 @@
 #include "app.hpp"
 #include "input/encounter.hpp"
 #include "output/output_options.hpp"
+#include "output/progress.hpp"
+#include "process/process.hpp"
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 
@@ -52,12 +54,14 @@ void run(const ModesArguments& arguments) {
   const Encounter encounter{.first = arguments.body.body()};
   validate(encounter);
   const double poisson = *poisson_of(encounter);
+  catch_interrupts();
+  const Poll poll = waiting(arguments.output, "modes");
   if (encounter.first.kind == "sphere") {
     using namespace bodies::sphere;
-    write(arguments, encounter, mode_quantities(), modes(poisson, arguments.cutoff));
+    write(arguments, encounter, mode_quantities(), modes(poisson, arguments.cutoff, poll));
   } else {
     using namespace bodies::disk;
-    write(arguments, encounter, mode_quantities(), modes(poisson, arguments.cutoff));
+    write(arguments, encounter, mode_quantities(), modes(poisson, arguments.cutoff, poll));
   }
 }
 

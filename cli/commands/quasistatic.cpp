@@ -69,12 +69,17 @@ Fields<Made> estimate_fields(const Quantities<Made>& quantities, const Units& un
 
 /// A number of rows that are written one by one, until Ctrl-C.
 void write_rows(const OutputOptions& output, Writer& writer, std::size_t count,
-                const std::function<Row(std::size_t)>& make) {
+                const std::function<Row(std::size_t, const Poll&)>& make) {
   Progress progress(output, count);
+  Progress all(output, 1);  // of rows that each take little
   writer.finish_after([&] {
     for (std::size_t i = 0; i < count; ++i) {
-      heed_interrupts();
-      writer.add(make(i));
+      const Poll poll = [&] {
+        heed_interrupts();
+        all.wait(fmt::format("row {} of {}", i + 1, count));
+      };
+      poll();
+      writer.add(make(i, poll));
       progress.show(i + 1);
     }
   });
@@ -88,16 +93,16 @@ void impacts(const QuasistaticArguments& arguments, const Of& of, const Encounte
   const Allowed allowed{of.slowest, limit_speed(of.law, of.poisson),
                         fmt::format("of the centre of mass, {} to where the static law ends", of.slowest_text)};
   const std::vector<double> speeds = parse_series_in("speed", arguments.speeds, Dimension::speed, units, allowed);
-  const auto modes = of.modes(arguments.cutoff);
   provenance.inputs["cutoff"] = arguments.cutoff;
-  catch_interrupts();
   const auto fields = estimate_fields(of.quantities(), units);
   Columns columns{{"poisson"}};
   append(columns, speed_columns(units), fields.columns(), yielding.columns());
   Writer writer = output.writer(provenance, columns);
+  catch_interrupts();
+  const auto modes = of.modes(arguments.cutoff, waiting(output, "modes"));
   std::size_t beyond = 0;
-  write_rows(output, writer, speeds.size(), [&](std::size_t i) {
-    const auto its = rayleigh(of.law, of.poisson, speeds[i], modes, heed_interrupts);
+  write_rows(output, writer, speeds.size(), [&](std::size_t i, const Poll& poll) {
+    const auto its = rayleigh(of.law, of.poisson, speeds[i], modes, poll);
     beyond += its.beyond_perturbation ? 1 : 0;
     if (speeds.size() == 1 && output.chosen_format() == Format::json) {
       writer.attach("modes", to_json(driven_mode_quantities(), its.modes));
@@ -136,12 +141,12 @@ void compressions(const QuasistaticArguments& arguments, const Of& of, const Yie
   Columns columns{{"poisson"}};
   append(columns, fields.columns());
   Writer writer = output.writer(provenance, columns);
-  write_rows(output, writer, values.size(), [&](std::size_t i) {
+  write_rows(output, writer, values.size(), [&](std::size_t i, const Poll& poll) {
     // The rounding of the inversion must not lead beyond the last force.
     const double force = std::min(compression_force(of.law, of.poisson, values[i]), of.last_force);
     const double energy = compression_energy(of.law, of.poisson, force);
     Row row{of.poisson};
-    append(row, fields.row({values[i], force, energy, of.half_width(force), of.exact(values[i])}));
+    append(row, fields.row({values[i], force, energy, of.half_width(force), of.exact(values[i], poll)}));
     return row;
   });
   constexpr double great_compression = 0.1;  // beyond it small strains mean little

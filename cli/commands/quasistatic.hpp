@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "process/process.hpp"
+#include "stoss/poll.hpp"
 #include "stoss/quasistatic.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 
@@ -22,10 +22,10 @@ struct LineContact {
   double last_force = std::min(limit_force(law, poisson), quasistatic::max_hertz_force);
 
   [[nodiscard]] static const auto& quantities() { return quasistatic::rayleigh_quantities(); }
-  [[nodiscard]] auto modes(double cutoff) const { return bodies::disk::modes(poisson, cutoff); }
+  [[nodiscard]] auto modes(double cutoff, const Poll& poll) const { return bodies::disk::modes(poisson, cutoff, poll); }
   [[nodiscard]] static double half_width(double force) { return quasistatic::hertz_half_width(force); }
-  [[nodiscard]] quasistatic::StaticContact exact(double compression) const {
-    return quasistatic::static_contact(poisson, compression, {.poll = heed_interrupts});
+  [[nodiscard]] quasistatic::StaticContact exact(double compression, const Poll& poll) const {
+    return quasistatic::static_contact(poisson, compression, {.poll = poll});
   }
 };
 
@@ -41,12 +41,14 @@ struct PointContact {
   double last_force = limit_force(law, poisson);
 
   [[nodiscard]] static const auto& quantities() { return quasistatic::point_rayleigh_quantities(); }
-  [[nodiscard]] auto modes(double cutoff) const { return bodies::sphere::modes(poisson, cutoff); }
+  [[nodiscard]] auto modes(double cutoff, const Poll& poll) const {
+    return bodies::sphere::modes(poisson, cutoff, poll);
+  }
   [[nodiscard]] double half_width(double force) const { return contact_radius(law, poisson, force); }
-  [[nodiscard]] quasistatic::StaticContact exact(double compression) const {
+  [[nodiscard]] quasistatic::StaticContact exact(double compression, const Poll& poll) const {
     constexpr int nodes = 80;  // a row takes 0.1 s, its force is good to 1e-4
     return quasistatic::static_contact(Sphere{.poisson = poisson}, compression,
-                                       quasistatic::StaticContactOptions{nodes, heed_interrupts});
+                                       quasistatic::StaticContactOptions{nodes, poll});
   }
 };
 

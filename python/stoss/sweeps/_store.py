@@ -87,7 +87,10 @@ def read_grid(path: Path) -> Grid:
 
 
 def _inputs(path: Path) -> dict[str, Any]:
-    """Those of the grid, as its file has them."""
+    """Those of the grid, as its file has them. Refuses what would be waited for: a FIFO among the files."""
+    for file in (path / GRID, *sorted(path.glob("*.csv"))):
+        if file.exists() and not file.is_file():
+            raise InvalidInput(f"store: got '{file}', which is no regular file, allowed the files of a sweep")
     try:
         found = of_json((path / GRID).read_text(encoding="utf-8"))
     except (FileNotFoundError, NotADirectoryError):

@@ -26,26 +26,38 @@ def _defaults():
 
 
 def run(words, interrupt=None, patience=300):
-    """Runs the command, with Ctrl-C after so much processor time; (exit code, processor time, since Ctrl-C, stderr)."""
+    """Runs the command, with Ctrl-C after so much processor time or where it falls silent.
+
+    Returns exit code, processor time, that since Ctrl-C or None, whether it was silent, and what a terminal got.
+    """
     ours, its = pty.openpty()
     os.set_blocking(ours, False)
-    process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=its,
+    process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=its,
                                preexec_fn=_defaults)
     os.close(its)
-    text, signalled, began = b"", None, time.monotonic()
+    rows = process.stdout.fileno()
+    os.set_blocking(rows, False)
+    written = False  # rows that come one by one are progress too
+    text, signalled, silent, began = b"", None, False, time.monotonic()
     while True:
         used = _used(process.pid)
         try:
             text += os.read(ours, 65536)
         except OSError:
             pass
+        try:
+            written = bool(os.read(rows, 1 << 20)) or written
+        except OSError:
+            pass
         if used is None:
             break
-        late = used > SILENT and b"\r[" not in text and b" s, " not in text
+        shown = written or b"\r[" in text or b" s, " in text
+        late = used > SILENT and not shown
         if signalled is None and (late or used > (ENOUGH if interrupt is None else interrupt)):
             # What it has used by now, not when it was looked at.
             process.send_signal(signal.SIGINT)
             signalled = _used(process.pid) or used
+            silent = late
         hangs = time.monotonic() - began > patience
         if hangs or (signalled is not None and used - signalled > 10 * ANSWER):
             process.kill()
@@ -58,17 +70,17 @@ def run(words, interrupt=None, patience=300):
     except OSError:
         pass
     os.close(ours)
+    process.stdout.close()
     used = usage.ru_utime + usage.ru_stime
-    return process.returncode, used, None if signalled is None else used - signalled, text.decode()
+    return process.returncode, used, None if signalled is None else used - signalled, silent, text.decode()
 
 
-def judge(code, used, answer, text):
+def judge(code, used, answer, silent, text):
     """How a call that ran like this breaks the rule; "" if it does not."""
-    shown = b"\r[" in text.encode() or " s, " in text
-    lines = [line for line in re.split(r"\r\n|\r|\n", text) if line.strip()]
+    lines = [line.split("\r")[-1] for line in re.split(r"\r*\n", text) if line.strip()]  # without progress
     if answer is not None and answer > ANSWER + TICK:
         return f"{answer:.2f} s from Ctrl-C to the end (exit code {code})"
-    if (used if answer is None else used - answer) > SILENT + TICK and not shown:
+    if silent:
         return f"no progress in {used:.2f} s"
     if code in (2, 3):
         if used > REFUSAL:
