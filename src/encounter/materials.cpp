@@ -106,8 +106,8 @@ const Material& named_material(std::string_view name) {
     all.emplace_back(each.name);
     names += (names.empty() ? "" : ", ") + all.back();
   }
-  // In version 1.0 "structural steel" was the structural one, which hardly any ball is made of.
-  if (name == "structural steel") {
+  // In version 1.0 "steel" was the structural one, which hardly any ball is made of.
+  if (name == "steel") {
     throw InvalidInput(
         "material: got 'steel', allowed 'structural steel' (yields at 235 MPa) or 'bearing steel' (at 1.7 GPa): their "
         "yield speeds differ by a factor of 140");

@@ -35,8 +35,9 @@ FlatForce::FlatForce(const std::vector<double>& impulse, double step, double rip
   };
   last_ = count - 1;
   while (last_ > 0 && !(pushes(last_) && at(last_) >= faint * greatest_)) --last_;
-  // Ends that part have no force any more. Of ends that touch on, modes swing about none, and a force that falls at
-  // once has ended where half of it is left in the mean.
+  // A force that falls slowly goes on to its end. Ends that part have no force any more. Of ends that touch on, modes
+  // swing about none, and a force that falls at once has ended where half of it is left in the mean.
+  while (last_ + 1 < count && pushes(last_ + 1)) ++last_;
   bool parted = true;
   for (long k = last_ + 1; k < std::min(count, last_ + span); ++k) parted = parted && !pushes(k);
   if (parted) return;

@@ -138,9 +138,11 @@ std::string beyond_reach(const Outlook& next, double highest, bool vibrating) {
     return std::string(text.data());
   };
   const auto whole = [&](double x) { return x < 10.0 ? rounded(x) : std::to_string(std::lround(x)); };
-  const std::string needed = next.cutoff < 1e5 ? "up to " + whole(std::max(next.cutoff, highest)) : "far above that";
-  return "did not reach the tolerance: that needs modes " + needed + " c/R, the limit is " + whole(highest) +
-         (vibrating ? "; try an absolute error" : "; try a tolerance") +
+  const std::string needed = next.cutoff < 1e5
+                                 ? "up to " + whole(std::max(next.cutoff, highest)) + " c/R, the limit is "
+                                 : "far above the limit of ";
+  return "did not reach the tolerance: that needs modes " + needed + whole(highest) +
+         (next.cutoff < 1e5 ? "" : " c/R") + (vibrating ? "; try an absolute error" : "; try a tolerance") +
          (next.reachable < 0.5 ? " of " + rounded(next.reachable) + " or larger" : " that is larger");
 }
 

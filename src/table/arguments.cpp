@@ -91,7 +91,7 @@ void require_values(const RuleValues& values) {
   require_grid("restitution", values.restitution, values.alike);
   require_grid("sliding", values.sliding, values.alike);
   const RuleGrid &normal = values.restitution, &along = values.sliding;
-  if (along.slips.size() < 2) throw InvalidInput("slips: too few of sliding, at least two from -1 to 1");
+  if (along.slips.size() < 2) throw InvalidInput("slips: got one place of sliding, allowed two or more, from -1 to 1");
   if (normal.speeds.front() != along.speeds.front() || normal.speeds.back() != along.speeds.back() ||
       normal.ratios.front() != along.ratios.front() || normal.ratios.back() != along.ratios.back()) {
     throw InvalidInput("speeds: got other ends of restitution than of sliding, allowed the same (of ratios, too)");

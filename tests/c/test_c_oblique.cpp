@@ -88,7 +88,7 @@ TEST(COblique, RefusesAndStops) {
     EXPECT_EQ(stoss_oblique(contact, obliquity, 1, 1e-2, nullptr, &result), STOSS_INVALID_INPUT);
     return std::string(stoss_message());
   };
-  EXPECT_EQ(said(bar, &asked).rfind("friction: got 'rod", 0), 0U);
+  EXPECT_EQ(said(bar, &asked).rfind("friction: not available for 'rod", 0), 0U);
   EXPECT_EQ(said(ball, &steep).rfind("tangential: got 2", 0), 0U);
   EXPECT_EQ(said(nullptr, &asked), "contact: got NULL, allowed a pointer to it");
   EXPECT_EQ(said(ball, nullptr), "obliquities: got NULL, allowed a pointer to it");

@@ -100,7 +100,7 @@ TEST(COpen, TakesVibrationAlong) {
   stoss_function* function = nullptr;
   EXPECT_EQ(stoss_function_make(excited, 0.01, 0.05, 1e-2, STOSS_BEYOND_ERROR, nullptr, &function),
             STOSS_INVALID_INPUT);
-  EXPECT_STREQ(stoss_message(), "vibration: got modes that vibrate, allowed none in a function of the speed");
+  EXPECT_STREQ(stoss_message(), "vibration: a function of the speed is of bodies that do not vibrate before");
 }
 
 TEST(COpen, RefusesWithALine) {

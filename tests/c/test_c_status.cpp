@@ -92,7 +92,7 @@ TEST(CStatus, RefusesWhatCannotMeetWhereItIsMade) {
   CContact contact;
   for (const stoss_body* body : {space.handle, plane.handle, rigid.handle}) {
     EXPECT_EQ(stoss_wall_contact_make(body, &contact), STOSS_INVALID_INPUT);
-    EXPECT_EQ(std::string(stoss_message()).rfind("against: got a wall for '", 0), 0U) << stoss_message();
+    EXPECT_NE(std::string(stoss_message()).find("cannot meet a"), std::string::npos) << stoss_message();
   }
   EXPECT_EQ(stoss_pair_contact_make(space, sphere, &contact), STOSS_INVALID_INPUT);
   EXPECT_EQ(stoss_pair_contact_make(rigid, rigid, &contact), STOSS_INVALID_INPUT);

@@ -122,7 +122,7 @@ def test_si_errors_have_their_units(stoss):
 
 
 def test_speed_beyond_small_strain_is_flagged(stoss):
-    result = stoss.run("restitution --poisson 0.33 --speed 0.1,0.7 --format csv")
+    result = stoss.run("restitution --poisson 0.33 --speed 0.1,0.7 --format csv", strain=True)
     assert result.returncode == 0
     assert [row["beyond_small_strain"] for row in rows(result.stdout)] == ["false", "true"]
     assert "above 0.1: linear elasticity is no longer accurate" in result.stderr
@@ -135,7 +135,7 @@ PAPER = "restitution --body sphere --poisson 0.3 --young 2e11 --density 7850 --r
 
 @pytest.mark.parametrize("under", ["", "/thickness=0.05,young=2e11,poisson=0.3,density=7850"])
 def test_a_sheet_of_paper_is_strained_too_much(stoss, under):
-    result = stoss.run(f"{PAPER},thickness=1e-4,young=3e9,density=800,poisson=0.3{under} --format csv")
+    result = stoss.run(f"{PAPER},thickness=1e-4,young=3e9,density=800,poisson=0.3{under} --format csv", strain=True)
     (row,) = rows(result.stdout)
     assert row["beyond_small_strain"] == "true" and "linear elasticity" in result.stderr
     assert stoss.data(f"{PAPER},thickness=0.02,young=2e11,density=7850")[0]["beyond_small_strain"] == "false"

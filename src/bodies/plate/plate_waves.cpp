@@ -14,7 +14,6 @@ namespace stoss::bodies::plate {
 namespace {
 
 constexpr double share_of_duration = 0.9;  // for which the quadratures hold
-constexpr double farthest = 1.0;           // in R, beyond all points: the shapes of waves turn with the distance, too
 
 /// Frequencies of modes at the last wave numbers, as far as they tell those at the next.
 class Track {
@@ -127,12 +126,14 @@ struct Panel {
   double begin, end, speed;
 };
 
-/// With ω ≤ cutoff. In layers in which no waves run, energy is no faster than 2ω/k.
+/// With ω ≤ cutoff. In layers in which no waves run, energy is no faster than 2ω/k. The speed stands for the distance,
+/// too, over which the shapes of waves turn: that of the contact's points, which shear waves cross in a fifth of the
+/// time.
 std::vector<Panel> panels(const Lamina& plate, double cutoff) {
   const double pressure = cutoff / plate.pressure_speed, shear = cutoff / plate.shear_speed;
   const double last = highest_kept(plate, cutoff);
   std::vector<Panel> all{{0.0, pressure, plate.pressure_speed}, {pressure, shear, plate.shear_speed}};
-  constexpr double unlike = 16.0;
+  constexpr double unlike = 16.0, across = 0.2;
   if (plate.sheets.size() == 1 || last < unlike * shear) {
     // Where modes slower than the shear waves are all that is kept, they carry energy no faster than these.
     all.push_back({shear, last, plate.shear_speed});
@@ -140,7 +141,7 @@ std::vector<Panel> panels(const Lamina& plate, double cutoff) {
   }
   for (double begin = shear; begin < last;) {
     const double end = last < 3.0 * begin ? last : 2.0 * begin;
-    all.push_back({begin, end, std::min(plate.shear_speed, 2.0 * cutoff / begin)});
+    all.push_back({begin, end, std::clamp(2.0 * cutoff / begin, across * plate.shear_speed, plate.shear_speed)});
     begin = end;
   }
   return all;
@@ -184,7 +185,7 @@ std::vector<WaveNumber> wave_numbers(const Lamina& plate, double cutoff, double 
   std::vector<WaveNumber> all;
   for (const auto& [begin, end, speed] : panels(plate, cutoff)) {
     const double middle = 0.5 * (begin + end), half = 0.5 * (end - begin);
-    const double phase = surplus * 2.0 * half * std::max(speed * time, farthest);
+    const double phase = surplus * 2.0 * half * speed * time;
     const auto& rule = numeric::gauss_legendre(static_cast<int>(std::ceil(0.25 * phase + more)));
     for (std::size_t i = 0; i < rule.node.size(); ++i) {
       all.push_back({middle + half * rule.node[i], half * rule.weight[i]});

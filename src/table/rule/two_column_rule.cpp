@@ -13,7 +13,7 @@ std::string two_column(const RuleTable& rule, double speed, double error) {
   constexpr double least = 1.01;  // of the error of the rule, to leave something for the chords
   constexpr int points = 32;      // at which a chord is looked at
   if (rule.values().sliding.ratios.size() > 1) {
-    throw InvalidInput("ratio: two columns have no place for a mixture of sizes (give one pair of bodies)");
+    throw InvalidInput("ratio: a mixture of sizes cannot be written as two columns (give one pair of bodies)");
   }
   const double allowed = least * rule.greatest_sliding_error();
   if (!(error >= allowed) || !std::isfinite(error)) {

@@ -44,9 +44,9 @@ TEST(ModalBody, RefusesWhatIsNoBody) {
 TEST(ModalBody, RefusesContactsThatAreNotSmallAndRound) {
   ModalBody plane = test::modal_sphere(0.3, 12.0);
   plane.curvature = 0.0;
-  test::expect_refusal([&] { (void)contact(modal_body(plane)(5.0, {})); }, {"curvature", "plane"});
+  test::expect_refusal([&] { (void)contact(modal_body(plane)(5.0, {})); }, {"curvature", "flat"});
   test::expect_refusal([&] { (void)RefinableContact(modal_body(plane), half_space(HalfSpace{0.3})); },
-                       {"curvature", "plane"});
+                       {"curvature", "flat"});
   EXPECT_NO_THROW(RefinableContact(modal_body(plane), sphere(0.3)));
   ModalBody cylinder = test::modal_sphere(0.3, 12.0);
   cylinder.curvature_difference = 2.0;

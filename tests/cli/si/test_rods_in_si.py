@@ -102,13 +102,13 @@ WHOLE = f"{SOLID} --length 1 --area 1"
     "arguments, name, said",
     [
         ("--body rod --young 1e9", "material", "rod without density, allowed young, density and sizes"),
-        (f"--body rod {SOLID} --length 1", "area", "none, allowed a number in m^2"),
+        (f"--body rod {SOLID} --length 1", "area", "missing (a material needs it too, in m^2)"),
         ("--body rod --length 1 --area 1", "material", "rod without young"),
         (f"--body rod {SOLID} --length 0 --area 1", "length", "0"),
         (f"--body rod {SOLID} --length 1 --area -1", "area", "-1"),
         (f"--body rod {WHOLE} --radius 1", "radius", "--body rod"),
         (f"--body rod {WHOLE} --against rod,length=2", "against", "without young"),
-        (f"--body rod {WHOLE} --against rod,length=2,young=1e9,density=1e3", "against area", "none, allowed a number"),
+        (f"--body rod {WHOLE} --against rod,length=2,young=1e9,density=1e3", "against area", "missing"),
         (f"--body rod {WHOLE} --against rod,length=1,area=1,young=-1,density=1", "against young", "-1"),
         (f"--body rod {WHOLE} --against rod,length=1e6,area=1,young=1e9,density=1e3", "length ratio", "1000000"),
         (f"--body rod {WHOLE} --against disk", "against", "a disk meets disks"),
@@ -121,7 +121,7 @@ def test_refusals(stoss, arguments, name, said):
         result = stoss.run(f"{command} --speed 0.1", arguments)
         assert (result.returncode, result.stdout) == (3, "")
         (line,) = result.stderr.splitlines()
-        assert line.startswith(f"stoss: error: {name}: got ") and said in line and "allowed" in line
+        assert line.startswith(f"stoss: error: {name}: ") and said in line
 
 
 @pytest.mark.parametrize("command", ["restitution", "impact"])
