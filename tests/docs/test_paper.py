@@ -54,8 +54,8 @@ def test_the_shares_within_the_errors_are_those_of_the_validation():
     assert f"Fast disks, 0.1 to 0.6 of the wave speed, are the weak spot, at {re.findall('[0-9]+', shares)[1]} %" in WORDS
     oblique = {row[4].removesuffix(" %") for row in rows("Oblique impacts", "0.001") if row[1] == "all"}
     plates = [row[3].removesuffix(" %") for row in rows("Balls on plates", "all") if row[1] == "1−ε²"]
-    assert len(oblique) == len(plates) == 1
-    shown = [f"{float(share):.0f}" for share in (*oblique, *plates)]
+    assert len(oblique) == 1
+    shown = [f"{min(map(float, shares)):.0f}" for shares in (oblique, plates)]
     assert f"sets of their own, of which {' and '.join(shown)} % are within their errors" in WORDS
 
 
