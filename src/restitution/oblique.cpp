@@ -9,10 +9,12 @@
 #include "contact/along.hpp"
 #include "contact/touch.hpp"
 #include "impact/oblique/frame.hpp"
+#include "impact/recommended.hpp"
 #include "restitution/lasting.hpp"
 #include "restitution/neglected_coupling.hpp"
 #include "restitution/oblique_doubts.hpp"
 #include "restitution/oblique_errors.hpp"
+#include "restitution/oblique_motion.hpp"
 #include "restitution/own_choice.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/restitution/curve.hpp"
@@ -59,11 +61,12 @@ void mix(ObliquePlan& plan, double beta, double friction) {
 
 /// What the run after one asks of the machine: steps, times the modes and the entries of the matrices between points,
 /// of rings also for all steps before (WaveMemory).
-double work_after(const ObliqueImpact& last, bool rings, std::size_t outcomes) {
-  constexpr double growth = 2.0, shapes = 16.0;  // with two rungs: √2 times the steps, and more points
+double work_after(const Contact& contact, const ObliqueImpact& last, bool rings, std::size_t outcomes) {
+  constexpr double growth = 2.0, least_shapes = 8.0;  // with two rungs: √2 times the steps, and more points
   const double points = last.normal.resolution.nodes, modes = static_cast<double>(last.normal.energy.modes.size());
   const double steps = static_cast<double>(last.normal.steps);
-  const double before = rings ? 0.5 * steps * shapes * shapes : 0.0;
+  const double shapes = std::min(points, least_shapes + nyquist_nodes(contact, last.normal.max_half_width));
+  const double before = rings ? steps * shapes * shapes : 0.0;
   return growth * steps * (modes + (points * points + before) * static_cast<double>(1 + outcomes));
 }
 
@@ -139,20 +142,25 @@ double refine(const RefinableContact& contact, const ObliqueOptions& options, st
     }
     const auto done = [](const ObliqueRestitution* each) { return each->converged; };
     open.erase(std::remove_if(open.begin(), open.end(), done), open.end());
+    const auto out_of_reach = [](const ObliqueRestitution* each) { return is_out_of_reach(*each); };
+    if (std::all_of(open.begin(), open.end(), out_of_reach)) break;
     const double highest = contact.cutoff(levels.highest);
     const auto hopeless = [&](const ObliqueRestitution* each) { return is_hopeless(plan, *each, highest); };
-    const bool dear = !open.empty() && work_after(open.front()->finest, rough, open.size()) > most_without_hope;
-    if (dear && std::all_of(open.begin(), open.end(), hopeless)) break;
+    const auto work = [&] {
+      const Contact& resolved = contact.at(contact.cutoff(level), stretch, options.poll);
+      return work_after(resolved, open.front()->finest, rough, open.size());
+    };
+    if (!open.empty() && work() > most_without_hope && std::all_of(open.begin(), open.end(), hopeless)) break;
   }
   for (ObliqueRestitution* each : open) give_up(plan, *each);
   return stretch;
 }
 
-}  // namespace
+enum class Content { motion_along, all };
 
-std::vector<ObliqueRestitution> oblique_restitution(const RefinableContact& contact, double speed,
-                                                    const std::vector<Obliquity>& obliquities,
-                                                    const ObliqueOptions& options) {
+std::vector<ObliqueRestitution> results_of(const RefinableContact& contact, double speed,
+                                           const std::vector<Obliquity>& obliquities, const ObliqueOptions& options,
+                                           Content content) {
   constexpr Range tolerances{1e-6, 0.5, true, true, "1e-6 to 0.5"};
   require("tolerance", options.tolerance, tolerances, "error of s' over the greater of |s| and mu v_n");
   require_speed(speed);
@@ -168,20 +176,36 @@ std::vector<ObliqueRestitution> oblique_restitution(const RefinableContact& cont
     all.push_back(&each);
     if (!shared) (void)refine(contact, options, {&each});
   }
-  double stretch = 1.0;
-  if (shared) {
-    stretch = refine(contact, options, all);
+  const double stretch = shared ? refine(contact, options, all) : 1.0;
+  if (shared && content == Content::all) {
     NeglectedCoupling neglected(contact, speed, options.poll);
     for (ObliqueRestitution& each : results) each.neglected = neglected.at(each.before);
   }
-  const auto like_central = [&](const ObliqueRestitution& each) { return shared || each.before.friction == 0.0; };
-  if (std::none_of(results.begin(), results.end(), like_central)) return results;
-  const Restitution central = best_restitution(contact, speed, {.poll = options.poll, .vibration = options.vibration});
-  for (ObliqueRestitution& each : results) {
-    if (like_central(each)) each.restitution = central.restitution;
+  const auto like_central = [&](const ObliqueRestitution& each) {
+    return content == Content::all && (shared || each.before.friction == 0.0);
+  };
+  if (std::any_of(results.begin(), results.end(), like_central)) {
+    const Restitution central =
+        best_restitution(contact, speed, {.poll = options.poll, .vibration = options.vibration});
+    for (ObliqueRestitution& each : results) {
+      if (like_central(each)) each.restitution = central.restitution;
+    }
   }
   if (shared) add_oblique_doubts(contact, speed, stretch, options, results);
   return results;
+}
+
+}  // namespace
+
+std::vector<ObliqueRestitution> motion_along(const RefinableContact& contact, double speed,
+                                             const std::vector<Obliquity>& obliquities, const ObliqueOptions& options) {
+  return results_of(contact, speed, obliquities, options, Content::motion_along);
+}
+
+std::vector<ObliqueRestitution> oblique_restitution(const RefinableContact& contact, double speed,
+                                                    const std::vector<Obliquity>& obliquities,
+                                                    const ObliqueOptions& options) {
+  return results_of(contact, speed, obliquities, options, Content::all);
 }
 
 ObliqueRestitution oblique_restitution(const RefinableContact& contact, double speed, const Obliquity& obliquity,

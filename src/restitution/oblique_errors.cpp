@@ -134,9 +134,14 @@ void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution
       result.runs.size() >= three_runs && result.sliding_after.error <= result.tolerance * scale_of(result);
 }
 
+bool is_out_of_reach(const ObliqueRestitution& result) {
+  return result.runs.size() >= three_runs && result.finest.unsettled_sliding > result.tolerance * scale_of(result);
+}
+
 bool is_hopeless(const ObliquePlan& plan, const ObliqueRestitution& result, double highest) {
-  if (result.runs.size() < three_runs) return false;
+  if (result.runs.size() < 2) return false;
   if (plan.unstable || plan.too_fine()) return true;
+  if (result.runs.size() < three_runs) return false;
   const double missing = result.sliding_after.error / (result.tolerance * scale_of(result));
   return !(result.runs.back().cutoff * std::pow(missing, 1.0 / plan.order) <= highest);
 }
@@ -147,6 +152,9 @@ void give_up(const ObliquePlan& plan, ObliqueRestitution& result) {
       result.reason =
           "at such friction between unlike bodies waves of any length grow, and nothing has a limit (the "
           "values are those of the finest run)";
+    } else if (is_out_of_reach(result)) {
+      result.reason = "the body stays, and how it slides in the end is known no better (use a larger tolerance, from " +
+                      rounded_up(result.sliding_after.error / scale_of(result)) + ")";
     } else if (result.reason.empty()) {
       result.reason =
           "the tolerance asks for " +

@@ -28,6 +28,9 @@ struct ObliquePlan {
 /// Adds a run to a result, and fills what follows from all of them.
 void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution& result);
 
+/// Whether what is not known of a body that stays (Impact::remaining) is more than the tolerance, in any run.
+[[nodiscard]] bool is_out_of_reach(const ObliqueRestitution& result);
+
 /// Whether finer runs up to a cutoff will hardly meet the tolerance, if the error falls with the cutoff as expected.
 [[nodiscard]] bool is_hopeless(const ObliquePlan& plan, const ObliqueRestitution& result, double highest);
 

@@ -131,6 +131,12 @@ Outlook outlook(const Restitution& result, const Reached& first, double expected
   return next;
 }
 
+/// Of a body that stays no cutoff tells more.
+std::string stays_open(const Restitution& result) {
+  return "the body stays, its rebound is known no better (use a larger tolerance, from " +
+         shown(std::ceil(1.1e8 * scaled_error(result)) / 1e8) + ")";
+}
+
 std::string beyond_reach(const Outlook& next, double highest, bool vibrating) {
   const auto rounded = [](double x) {
     std::array<char, 32> text{};
@@ -209,7 +215,7 @@ Restitution refined(const RefinableContact& contact, double speed, const Restitu
       add_doubts(contact, speed, stretch, options, result);
       return result;
     }
-    trouble = out_of_reach(correction, result);
+    trouble = result.finest.remaining > wanted_error(result) ? stays_open(result) : out_of_reach(correction, result);
     if (!trouble.empty()) break;
     if (!first) first = Reached{result.runs.back().cutoff, scaled_error(result)};
     next = outlook(result, *first, order, contact.cutoff(highest));

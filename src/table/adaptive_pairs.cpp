@@ -66,7 +66,7 @@ class Pairs {
       return "speed " + shown(speeds_.speed(places[i][0])) + " c and the ratio " + shown(ratios_.ratio(places[i][2]));
     };
     const std::vector<Estimate> found =
-        computed_values(requests, share_of_pairs * options_.error, options_.threads, options_.poll, named);
+        computed_values(requests, options_.error, share_of_pairs, options_.threads, options_.poll, named);
     for (std::size_t i = 0; i < found.size(); ++i) grid_.set(places[i], {found[i]});
   }
 

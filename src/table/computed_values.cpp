@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <string_view>
 
@@ -23,13 +24,26 @@ std::string reason(const Restitution& found) {
   return std::string("its error stays at ") + error.data() + ", and the table needs less (allow a greater error)";
 }
 
-Estimate computed(const Request& request, double error, const std::string& place, const Poll& poll) {
+/// Of a body that stays its ε is known to this, at any cutoff.
+void require_reachable(const Restitution& found, double error, double share, const std::string& place) {
+  const double least = std::sqrt(found.finest.remaining);
+  if (least <= share * error) return;
+  std::array<char, 32> allowed{};
+  constexpr double margin = 1.05;
+  (void)std::snprintf(allowed.data(), allowed.size(), "%.2g", margin * least / share);
+  throw NotConverged("restitution: at " + place + " the body stays, and its restitution is known to " +
+                     shown(std::ceil(1e5 * least) / 1e5) + " only (allow an error from " + allowed.data() + ")");
+}
+
+Estimate computed(const Request& request, double whole, double share, const std::string& place, const Poll& poll) {
+  const double error = share * whole;
   constexpr double least = 1e-9, no_tolerance = 1e-15;
   double absolute = 1.6 * error;
   while (absolute > least) {
     const Restitution found = best_restitution(*request.contact, request.speed,
                                                {.tolerance = no_tolerance, .absolute = absolute, .poll = poll});
     if (found.restitution.error <= error) return found.restitution;
+    require_reachable(found, whole, share, place);
     if (!found.reason.empty()) throw NotConverged("restitution: at " + place + " " + reason(found));
     absolute *= 0.25;
   }
@@ -38,9 +52,9 @@ Estimate computed(const Request& request, double error, const std::string& place
 
 }  // namespace
 
-std::vector<Estimate> computed_values(const std::vector<Request>& requests, double error, int threads, const Poll& poll,
-                                      const std::function<std::string(std::size_t)>& place) {
-  const auto job = [&](std::size_t i, const Poll& heed) { return computed(requests[i], error, place(i), heed); };
+std::vector<Estimate> computed_values(const std::vector<Request>& requests, double error, double share, int threads,
+                                      const Poll& poll, const std::function<std::string(std::size_t)>& place) {
+  const auto job = [&](std::size_t i, const Poll& heed) { return computed(requests[i], error, share, place(i), heed); };
   std::vector<Estimate> results;
   const auto deliver = [&results](std::size_t, Estimate&& result) { results.push_back(result); };
   run_in_order<Estimate>(requests.size(), threads, job, deliver, poll);

@@ -57,3 +57,40 @@ def test_one_impact_needs_no_cutoff(stoss, against):
     row, = rows(result.stdout)
     exact, = stoss.data(f"restitution {BALL} --against {against}")
     assert abs(number(row, "restitution") - number(exact, "restitution")) < 2e-4
+
+
+@pytest.mark.parametrize(
+    "range_and_plate",
+    [
+        "1e-3:1e-2 --against plate,thickness=0.1",
+        "1e-5:2e-5 --against plate,thickness=0.15",
+        "1e-3:1e-2 --against plate,thickness=0.02,young=0.3,density=0.001",
+    ],
+)
+def test_a_table_of_balls_that_stay_refuses_at_once_an_error_that_it_cannot_have(stoss, range_and_plate):
+    result, used = bounded(stoss, f"table --oblique --body sphere --poisson 0.3 --speed {range_and_plate}", 20)
+    assert result.returncode != 0
+    assert "the body stays" in result.stderr and "allow an error from 0.003" in result.stderr
+    assert used < 2.0
+
+
+def test_a_table_of_balls_that_stay_ends_with_an_error_that_it_can_have(stoss):
+    arguments = "table --oblique --body sphere --poisson 0.3 --speed 1e-3:1e-2 --against plate,thickness=0.1 --error 0.004"
+    result, used = bounded(stoss, arguments, 20)
+    assert result.returncode == 0, result.stderr
+    assert used < 6.0
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        "--speed 1e-3 --tolerance 1e-5 --against plate,thickness=0.1",  # what no run tells of a ball that stays
+        "--speed 9e-4 --tolerance 1e-6 --against half-space,young=1e-3,density=1e3",  # too many points
+    ],
+)
+def test_an_oblique_ladder_without_hope_ends_with_the_best_value(stoss, arguments):
+    friction = "oblique --body sphere --poisson 0.3 --tangential 1e-3 --friction 0.1 --format json"
+    result, used = bounded(stoss, f"{friction} {arguments}", 30)
+    assert '"converged": false' in result.stdout, result.stderr
+    assert "use a larger tolerance, from" in result.stderr
+    assert used < 12.0

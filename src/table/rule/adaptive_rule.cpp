@@ -64,9 +64,14 @@ template <typename Normal>
 RuleTable made(const std::function<RefinableContact(double)>& contact, const RuleRanges& ranges,
                const RuleTableOptions& options, Normal normal) {
   require_friction(mixes(contact(ranges.ratios.high), options.poll), ranges.speeds, options);
+  // Where bodies may stay, their restitution may refuse the error at once; else wide contacts refuse their speeds.
+  const bool may_stay = contact(ranges.ratios.high).at(0, options.poll).gives_way;
+  RuleGrid of_normal = !options.friction && may_stay ? normal() : RuleGrid{};
   AdaptiveRules rules(contact, ranges, options);
+  if (!options.friction && !may_stay) of_normal = normal();
   rules.refine();
-  RuleValues values{options.friction ? rules.values(1) : normal(), rules.values(0), ranges.alike, options.friction};
+  RuleValues values{options.friction ? rules.values(1) : std::move(of_normal), rules.values(0), ranges.alike,
+                    options.friction};
   RuleTable table(std::move(values), options.beyond);
   const auto require_reached = [](const char* name, double reached, double allowed) {
     if (reached <= allowed) return;

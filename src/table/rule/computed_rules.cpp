@@ -10,6 +10,7 @@
 #include "contact/touch.hpp"
 #include "contact/unit_ratios.hpp"
 #include "impact/oblique/frame.hpp"
+#include "restitution/oblique_motion.hpp"
 #include "restitution/ordered_jobs.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/oblique.hpp"
@@ -46,7 +47,7 @@ std::vector<ObliqueRestitution> accurate(const RuleRequest& request, const std::
   double reached = 0.0;  // error of the restitution
   for (double tolerance = std::min(demand.sliding, 0.5); tolerance > finest; tolerance *= 0.5) {
     std::vector<ObliqueRestitution> found =
-        oblique_restitution(*request.contact, request.speed, before, {.tolerance = tolerance, .poll = poll});
+        motion_along(*request.contact, request.speed, before, {.tolerance = tolerance, .poll = poll});
     const auto open = std::find_if(found.begin(), found.end(), [](const auto& each) { return !each.converged; });
     if (open != found.end() && reached > 0.0) break;
     if (open != found.end()) throw NotConverged("oblique: at " + place + " " + open->reason);
