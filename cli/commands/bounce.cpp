@@ -22,7 +22,7 @@ struct BounceArguments {
   int count = 100;
   std::optional<double> flight_time, gravity, decay_time;
   std::string tail = "radiating";
-  double cutoff = 20.0;
+  double cutoff = 0.0;
   OutputOptions output;
   CLI::App* command = nullptr;
 };
@@ -69,14 +69,17 @@ Fields<Bounce> bounce_fields(const Units& units) {
                          {"flight_time", {.width = 13, .si_width = 16}}});
 }
 
-void run(const BounceArguments& arguments) {
+void run(const BounceArguments& asked_for) {
+  BounceArguments arguments = asked_for;
   const Encounter encounter = arguments.who.encounter();
   refuse_tail(*arguments.command, encounter);
   const Units units = units_of(encounter);
   const double first = parse_speed(arguments.speed, units, "that of the first impact");
+  const double slowest = slowest_bounce(first);
+  if (!given(*arguments.command, "--cutoff")) arguments.cutoff = usual_cutoff(encounter, slowest, 20.0);
   const BounceOptions options = make_options(arguments, encounter, units);
   catch_interrupts();
-  const Contact contact = contact_of(encounter, arguments.cutoff, slowest_bounce(first), options.poll);
+  const Contact contact = contact_of(encounter, arguments.cutoff, slowest, options.poll);
   validate(contact, first, options);
 
   const Fields<Bounce> its = bounce_fields(units);
@@ -140,8 +143,8 @@ void add_bounce(CLI::App& app) {
   add_flight(command, arguments);
   add_choice(command, "--tail", arguments.tail, {"radiating", "static"},
              "How modes above the cutoff answer (default: radiating); static keeps\nall energy", "TAIL", "Resolution");
-  add(command, "--cutoff", arguments.cutoff, "Modes up to this frequency in c/R are kept (default: 20)", "OMEGA",
-      "Resolution");
+  add(command, "--cutoff", arguments.cutoff,
+      "Modes up to this frequency in c/R are kept (default: 20, or less as of stoss impact)", "OMEGA", "Resolution");
   arguments.output.add_to(command);
 }
 

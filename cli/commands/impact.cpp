@@ -124,9 +124,9 @@ void run(const ImpactArguments& asked_for) {
   ImpactArguments arguments = asked_for;
   const Encounter encounter = arguments.who.encounter();
   refuse_tail(*arguments.command, encounter);
-  if (!given(*arguments.command, "--cutoff")) arguments.cutoff = usual_cutoff(encounter);
   check_trajectory(arguments);
   const double speed = parse_speed(arguments.speed, units_of(encounter), "stoss restitution takes lists");
+  if (!given(*arguments.command, "--cutoff")) arguments.cutoff = usual_cutoff(encounter, speed);
   ImpactOptions options{.resolution = arguments.resolution, .poll = waiting(arguments.output, "impact")};
   options.resolution.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
   const OutputOptions& asked = arguments.output;
@@ -181,8 +181,8 @@ void add_impact(CLI::App& app) {
              "Model of the modes above the cutoff: radiating absorbs energy, static does not (default: radiating)",
              "TAIL", "Against");
   add(command, "--cutoff", arguments.cutoff,
-      "Modes up to this frequency in c/R are kept (default: 50; on a half-space or a plate 16 over "
-      "the time scale of both)",
+      "Modes up to this frequency in c/R are kept (default: 50, or up to which those of a file are known; "
+      "less on a half-space or a plate)",
       "OMEGA", "Resolution");
   add(command, "--step", arguments.resolution.step, "Time step in R/c (default: recommended)", "DT", "Resolution");
   add(command, "--nodes", arguments.resolution.nodes, "Contact nodes, 16 to 4096 (default: recommended)", "N",

@@ -130,6 +130,10 @@ void bind_encounters(py::module_& module) {
       "encounter", [](const std::string& document) { return encounter_from_json(document); }, py::arg("document"));
   handle.def("to_json", [](const Encounter& self) { return to_json(self); })
       .def("contact", &contact_at, py::arg("cutoff"), py::arg("slowest"))
+      .def(
+          "usual_cutoff",
+          [](const Encounter& self, double speed, double most) { return usual_cutoff(self, speed, most); },
+          py::arg("speed"), py::arg("most"), "c/R of the first body")
       .def("refinable", [](const Encounter& self) { return refinable(self); })
       .def("slow_law", [](const Encounter& self) { return slow_law(self); })
       .def(

@@ -242,11 +242,4 @@ Contact contact_of(const Encounter& encounter, double cutoff, double speed, cons
   return contact(std::move(body), wall_of(encounter));
 }
 
-double usual_cutoff(const Encounter& encounter) {
-  constexpr double usual = 50.0, on_unbounded = 16.0;
-  const Kind& against = kind(encounter.against.kind);
-  if (against.wall || against.bounded) return usual;
-  return std::min(usual, on_unbounded / time_scale(refinable(encounter).at(0)));
-}
-
 }  // namespace stoss

@@ -5,6 +5,7 @@ import pathlib
 import zipfile
 
 import pytest
+from conftest import number
 
 FILES = pathlib.Path(__file__).parents[2] / "examples" / "any_body"
 SPHERE = "--body sphere --radius 0.01 --young 210e9 --poisson 0.3 --density 7850"
@@ -80,3 +81,12 @@ def test_friction_needs_a_tangent(stoss, tmp_path):
     body["tangent"]["direction"] = [6, 0, 8]
     path.write_text(json.dumps(body))
     assert "perpendicular" in stoss.run(rub, f"--body @{path}").stderr
+
+
+@pytest.mark.parametrize("against", ["wall", "same", "half-space,material=glass"])
+def test_what_is_kept_ends_where_modes_are_known(stoss, against):
+    """Without a cutoff, those of a file are enough."""
+    body, = stoss.data(f"impact --body @{FILES}/bar.json --speed 0.5 --against {against}")
+    assert 1.3 < number(body, "cutoff") <= 1.36
+    if against != "same":  # which does not come back
+        stoss.data(f"bounce --body @{FILES}/bar.json --speed 0.5 --against {against} --count 2 --flight-time 1")

@@ -34,6 +34,21 @@ TEST(Encounter, IsTheContactMadeByHand) {
   EXPECT_EQ(second_maker(same)(10.0, {}).name, rod()(10.0, {}).name);
 }
 
+TEST(Encounter, HasAUsualCutoff) {
+  const Encounter wall{.first = {.kind = "sphere", .values = {{"poisson", 0.3}}}};
+  EXPECT_EQ(usual_cutoff(wall, 0.1), 50.0);
+  EXPECT_EQ(usual_cutoff(wall, 0.1, 20.0), 20.0);
+
+  Encounter block = wall;
+  block.against.kind = "half-space";
+  const RefinableContact contact = refinable(block);
+  EXPECT_DOUBLE_EQ(usual_cutoff(block, 0.1), 64.0 / time_scale(contact.at(0)) / contact.stretch(0.1));
+  EXPECT_EQ(usual_cutoff(block, 0.1, 5.0), 5.0);
+  EXPECT_LT(usual_cutoff(block, 1e-8), 2.0);  // as long as it lasts there would be millions of modes
+  EXPECT_LE(mode_count(contact_of(block, usual_cutoff(block, 1e-8), 1e-8)), 40000U);
+  for (const double wrong : {0.0, -1.0, std::nan("")}) EXPECT_GT(usual_cutoff(block, wrong), 0.0);
+}
+
 TEST(Encounter, InSIHasTheUnitsOfTheFirst) {
   const Encounter drop{.first = {.kind = "sphere", .values = {{"radius", 0.005}}, .material = steel},
                        .against = {.kind = "half-space", .material = glass}};

@@ -67,11 +67,14 @@ void validate(const Encounter& encounter);
 /// @throws InvalidInput as validate and contact
 [[nodiscard]] Contact contact_of(const Encounter& encounter, double cutoff, double speed, const Poll& poll = {});
 
-/// Cutoff of a single impact where none is given, c/R of the first body: 50, or 16 over the time_scale of a body on a
-/// half-space, a plate or their like, whose modes grow with its square. Up to 0.1 c, ε of balls on blocks and plates is
-/// then good to 2e-4 (measured: 4e-6 on their own material at 0.01 c, 1.1e-4 on a block ten times softer and heavier).
+/// Cutoff where none is given, c/R of the first body: `most`, or less up to which the modes of a file are known; on a
+/// half-space, a plate or their like at most 64 over the time_scale and over RefinableContact::stretch, as the modes
+/// that are kept there grow with the square of cutoff and duration. For balls at 1e-8 … 0.1 c on blocks of 0.1, 1 and 10
+/// times their modulus (of 10, 1 and 1 times their density) and on plates of 0.5, 1 and 4 R, ε is then that of
+/// `restitution` to 4e-6 or to the error of that at the tolerance 1e-4, with 350 to 16000 modes.
+/// @param speed the slowest that is to be computed, c of the first body
 /// @throws InvalidInput as validate
-[[nodiscard]] double usual_cutoff(const Encounter& encounter);
+[[nodiscard]] double usual_cutoff(const Encounter& encounter, double speed, double most = 50.0);
 
 /// SI values of the units of the first body, where it has a material.
 [[nodiscard]] std::optional<Scales> si_scales(const Encounter& encounter);

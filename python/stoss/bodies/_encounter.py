@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 import json
-import math
 from typing import Any, Union
 
 import numpy as np
@@ -15,7 +14,6 @@ from stoss._arguments import choice, instance, number, refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import BODIES, PARTNERS, Body, Disk, Sphere
 from stoss.bodies._material import NAMES
-from stoss.bodies._modal import ModalBody
 from stoss.bodies._solid import KINDS, Solid, Specification, describe, is_rigid
 from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded, Wall
 
@@ -84,14 +82,9 @@ def choose_tail(tail: Any) -> str:
     return choice("tail", tail, ("radiating", "static"))
 
 
-def choose_cutoff(cutoff: Any, usual: float, body: Body, against: Against) -> float:
-    """The highest frequency that was meant, c/R: a usual one, or where modal bodies end."""
-    if cutoff is not None:
-        return number("cutoff", cutoff)
-    ends = [each.complete_to for each in (body, against) if isinstance(each, ModalBody)]
-    rounding = 1.0 + 1e-12  # with the last mode
-    known = [rounding * 2.0 * math.pi * end / body.scales.frequency for end in ends if end is not None]
-    return min([usual, *known])
+def choose_cutoff(cutoff: Any, body: Body, against: Against, speed: float, most: float = 50.0) -> float:
+    """The highest frequency that was meant, c/R: by itself the usual one down to this speed in c."""
+    return encounter(body, against).usual_cutoff(speed, most) if cutoff is None else number("cutoff", cutoff)
 
 
 def encounter(body: Body, against: Against) -> _core.Encounter:

@@ -124,7 +124,7 @@ def bounce(
             once, and every impact is that of `impact`. Default: no decay but that of a lossy
             material.
         cutoff: Highest frequency of the modes that are kept, c/R. Default: 20, or that up to which
-            a `ModalBody` is known.
+            a `ModalBody` is known; less on a half-space or a plate.
         state (Oscillation, sequence of them or ndarray, optional): How the body vibrates before the
             first impact, as for `impact`. Default: it is unexcited.
 
@@ -139,7 +139,8 @@ def bounce(
     chosen = choose_body(body, poisson, rigid=True)
     first = number("speed", speed) / speed_unit(chosen)
     met = choose_against(chosen, against, (HardWall, ExponentialWall))
-    at, times = choose_cutoff(cutoff, 20.0, chosen, met), integer("count", count)
+    slowest = _core.slowest_bounce(first) if isinstance(met, UNBOUNDED) else first
+    at, times = choose_cutoff(cutoff, chosen, met, slowest, most=20.0), integer("count", count)
     unit = chosen.scales.time if chosen.material is not None else 1.0
     flight, decay = optional_number("flight_time", flight_time), optional_number("decay_time", decay_time)
     weight = optional_number("gravity", gravity)
@@ -149,7 +150,6 @@ def bounce(
     done: list[NDArray[Any]] = []
     stopped, reason = False, ""
     with speeds_in_si(chosen):
-        slowest = _core.slowest_bounce(first) if isinstance(met, UNBOUNDED) else first
         resolved = contact(chosen, met, at, slowest)
         try:
             reason = _core.bounce(resolved, answer, first, times, flight, weight, decay, modes, done)

@@ -149,7 +149,7 @@ def impact(
 
     Parameters:
         cutoff: Highest frequency of the modes that are kept, c/R. Default: 50, or that up to which
-            a `ModalBody` is known.
+            a `ModalBody` is known; less on a half-space or a plate, where there are many modes.
         keep (array_like of bool, optional): Which of the modes with ω ≤ `cutoff` are kept, in the
             order of `Impact.mode_energies`; only with an `ExponentialWall`, because a hard contact
             needs the compliance of the others. Default: all.
@@ -189,7 +189,7 @@ def impact(
     chosen = choose_body(body, poisson, rigid=True)
     initial = number("speed", speed) / speed_unit(chosen)
     met = choose_against(chosen, against, (HardWall, ExponentialWall))
-    at = choose_cutoff(cutoff, 50.0, chosen, met)
+    at = choose_cutoff(cutoff, chosen, met, initial)
     count = None if nodes is None else integer("nodes", nodes)
     resolution = optional_number("step", step), count, optional_number("half_width", half_width)
     answer, kept = choose_tail(tail), None if keep is None else flags("keep", keep)

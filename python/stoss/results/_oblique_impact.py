@@ -136,7 +136,7 @@ def oblique_impact(
 
     Parameters:
         body (Disk or Sphere): The first body, in whose units all results are.
-        cutoff: Highest frequency of the modes that are kept, c/R. Default: 50.
+        cutoff: Highest frequency of the modes that are kept, c/R. Default: that of `impact`.
 
     Examples:
         >>> hit = stoss.oblique_impact(stoss.Sphere(poisson=0.3), speed=0.05, angle=40, friction=0.3)
@@ -149,7 +149,6 @@ def oblique_impact(
     """
     chosen = choose_body(body, None, rigid=True)
     met = choose_against(chosen, against, (HardWall,))
-    highest = choose_cutoff(cutoff, 50.0, chosen, met)
     given: dict[str, Any] = {
         "speed": speed, "tangential": tangential, "angle": angle, "spin": spin, "second_spin": second_spin,
         "friction": friction,
@@ -158,6 +157,7 @@ def oblique_impact(
     if motion[0].shape:
         name, several = next((each, np.size(value)) for each, value in given.items() if np.shape(value))
         raise InvalidInput(f"{name}: got {several} of them, allowed one impact (use stoss.oblique for several)")
+    highest = choose_cutoff(cutoff, chosen, met, float(motion[0]))
     count = None if nodes is None else integer("nodes", nodes)
     resolution = optional_number("step", step), count, optional_number("half_width", half_width)
     with speeds_in_si(chosen):

@@ -212,3 +212,13 @@ def test_results_say_where_yielding_begins():
     assert stoss.quasistatic.yield_speed(rigid, against=stoss.HalfSpace(material=GLASS)) is None
     with pytest.raises(stoss.InvalidInput, match="allowed an elastic sphere at a wall"):
         stoss.quasistatic.yield_speed(rigid)
+
+
+def test_usual_cutoffs_are_those_of_the_core():
+    """64 over the time scale √2, and over how long it lasts."""
+    normal = stoss.impact(BALL, against=stoss.HalfSpace(), speed=0.1)
+    oblique = stoss.oblique_impact(BALL, against=stoss.HalfSpace(), speed=0.1, tangential=0.02, friction=0.1)
+    assert normal.cutoff == oblique.cutoff == pytest.approx(32.0, rel=1e-12)
+    slow = stoss.impact(BALL, against=stoss.HalfSpace(), speed=1e-4)
+    assert slow.cutoff < 10 and slow.modes < 20000
+    assert stoss.impact(BALL, speed=0.1).cutoff == stoss.impact(BALL, against="same", speed=0.1).cutoff == 50.0

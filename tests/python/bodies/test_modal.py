@@ -199,7 +199,7 @@ def test_what_only_other_bodies_can_do_is_refused(body):
 
 
 def test_what_works_on_any_pair(body):
-    hit = stoss.impact(body, against=BLOCK, speed=0.5)
+    hit = stoss.impact(body, against=BLOCK, speed=0.5, cutoff=CUTOFF)
     path = hit.trajectory()
     assert path.force.max() * hit.body.scales.force == pytest.approx(hit.max_force_si, rel=0.02)
     own = hit.mode_energies[hit.mode_energies["body"] == 0]
