@@ -69,9 +69,9 @@ void validate(const Encounter& encounter);
 
 /// Cutoff where none is given, c/R of the first body: `most`, or less up to which the modes of a file are known; on a
 /// half-space, a plate or their like at most 64 over the time_scale and over RefinableContact::stretch, as the modes
-/// that are kept there grow with the square of cutoff and duration. For balls at 1e-8 … 0.1 c on blocks of 0.1, 1 and 10
-/// times their modulus (of 10, 1 and 1 times their density) and on plates of 0.5, 1 and 4 R, ε is then that of
-/// `restitution` to 4e-6 or to the error of that at the tolerance 1e-4, with 350 to 16000 modes.
+/// that are kept there grow with the square of cutoff and duration. For balls at 1e-8 … 0.1 c on blocks of their own or
+/// ten times their modulus and on plates of 0.5, 1 and 4 R, and at 1e-8 … 0.05 c on a block of a tenth of it and ten
+/// times their density, ε is that of `restitution` to 4e-6 or to its error at the tolerance 1e-4.
 /// @param speed the slowest that is to be computed, c of the first body
 /// @throws InvalidInput as validate
 [[nodiscard]] double usual_cutoff(const Encounter& encounter, double speed, double most = 50.0);
