@@ -24,7 +24,7 @@ def main(folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
 
     # Two Poisson's ratios and 43 speeds broadcast to a table of 2 × 43 values.
-    curve = stoss.restitution(poisson=[[0.33], [0.9]], speed=np.geomspace(1e-4, 0.3, 43))
+    curve = stoss.restitution(poisson=[[0.33], [0.9]], speed=np.geomspace(1e-4, 0.09, 43))
     print(curve)
 
     print("Poisson  speed / c      restitution          contact time / (R/c)")

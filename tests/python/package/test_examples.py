@@ -93,7 +93,7 @@ def test_first_curve(example):
     rows = run.table(5)
     assert len(rows) == 14
     poisson, speed, value, error, time = rows.T
-    direct = stoss.restitution(poisson=poisson, speed=np.tile(np.geomspace(1e-4, 0.3, 43)[::7], 2))
+    direct = stoss.restitution(poisson=poisson, speed=np.tile(np.geomspace(1e-4, 0.09, 43)[::7], 2))
     np.testing.assert_allclose(speed, direct.speed, rtol=1e-3)
     np.testing.assert_allclose(value, direct.restitution, atol=6e-7, rtol=0)
     np.testing.assert_allclose(error, direct.restitution_error, atol=6e-7, rtol=0)
