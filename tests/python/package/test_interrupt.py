@@ -41,7 +41,7 @@ LONG = {
     "4096 nodes": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096)",
     "4096 nodes, static tail": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096, tail='static')",
     "pair, 4096 nodes": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096, against=stoss.Disk(poisson=0, radius=3))",
-    "field at many points": "hit.field(time=1.0, radius=np.linspace(0, 1, 1500), angle=np.linspace(-3, 3, 1500))",
+    "field at many points": "hit.field(time=1.0, radius=np.linspace(0, 1, 2000), angle=np.linspace(-3, 3, 2000))",
     "field at many radii": "hit.field(time=1.0, radius=np.linspace(0, 1, 20_000), angle=0.0)",
     "atlas": "[stoss.atlas(poisson=0.33, speed=np.full(10**7, 0.1)) for _ in range(9)]",
     # Quasi-static.
@@ -244,7 +244,7 @@ BLOCKED = "import sys; sys.modules['tqdm'] = None\n"
 def test_progress_goes_to_stderr(interpreter, setting, progress, shown):
     if shown and not setting:
         pytest.importorskip("tqdm")
-    call = f"stoss.restitution(poisson=0.33, speed=[0.1, 0.2, 0.3], tolerance=0.1, progress={progress})"
+    call = f"stoss.restitution(poisson=0.33, speed=[0.02, 0.05, 0.08], tolerance=0.1, progress={progress})"
     done = interpreter.run(f"{setting}import stoss\n{call}")
     assert done.returncode == 0 and done.stdout == ""
     assert done.stderr == "" if shown is None else shown in done.stderr and "3/3" in done.stderr
