@@ -64,7 +64,7 @@ describe('a body of a file', () => {
       expect(equal(back.encounter, inputs.encounter)).toBe(true);
     }
     expect(fileNamed('my_ball.json')).toBe(file);
-    expect(toAddress(first)).toBe('body=sphere&file=my_ball.json&units=SI&v=1');
+    expect(toAddress(first)).toBe('body=sphere&file=my_ball.json&units=SI&v=0.1');
     const { inputs, problem } = fromAddress('?body=sphere&file=bell.json&units=SI&v=1');
     expect(problem).toContain('file: open “bell.json” again');
     expect(hasFile(inputs.encounter)).toBe(false);
