@@ -90,7 +90,7 @@ std::string text_of_function(const TableArguments& arguments, TableJob& job) {
                                 .beyond = beyond(arguments),
                                 .threads = arguments.threads,
                                 .poll = waiting(arguments.output, "table")};
-  const auto [slowest, fastest] = std::pair(job.speeds[0], job.speeds[1]);
+  const double slowest = job.speeds[0], fastest = job.speeds[1];  // no binding: clang 14 captures none
   const auto computed = [&] {
     if (!arguments.predicted) return restitution_function(refinable(job.encounter), slowest, fastest, options);
     auto made = predicted_function(job.encounter, slowest, fastest, options, {.work_of_adhesion = arguments.adhesion});
