@@ -8,7 +8,6 @@ import pytest
 import stoss
 
 
-
 def test_balls_of_the_example_are_those_of_the_package(example_folder):
     table = example_folder("07_balls") / "out/balls.csv"
     rows = list(csv.DictReader(table.read_text(encoding="utf-8").splitlines()))
@@ -21,5 +20,5 @@ def test_balls_of_the_example_are_those_of_the_package(example_folder):
         # Hertz: the pressure that goes with a force and the energy that made it.
         stiff = ball.young / (1 - ball.poisson**2)
         hertz = stiff * 2 / np.pi * (15 / 16 * 4 * np.pi / 3 * ball.density * float(speed) ** 2 / stiff) ** 0.2
-        if direct.speed < 1e-3:
+        if direct.speed < 5e-4:  # a faster ball presses deeper, where a whole ball is stiffer than Hertz's
             assert float(row["pressure_Pa"]) == pytest.approx(hertz, rel=0.01)
