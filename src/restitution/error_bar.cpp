@@ -19,6 +19,7 @@ struct Bar {
 };
 constexpr Bar instant{1.5, 5.0};     // at which waves open or close the contact once more
 constexpr Bar rough{1.5, 4.0};       // the peak of a force that jumps about
+constexpr Bar rougher{1.0, 4.0};     // of a ball on a half-space or a plate
 constexpr Bar last_touch{1.0, 4.0};  // of a ball that a plate follows: short waves delay it
 constexpr Bar smooth{2.0, 6.0};      // what is integrated twice, or between two parts of the impulse
 
@@ -75,17 +76,29 @@ double node_error(const Contact& contact, const Run& run) {
   return constant * run.dissipated / (nodes * nodes * relaxing * relaxing);
 }
 
+/// To a plate that takes nearly all of the energy, more of it does nothing, and where a ball stays nothing can.
+double rebound(const Contact& contact, const Run& run) {
+  return contact.gives_way ? std::pow(std::max(0.0, 1.0 - run.lost_fraction), 0.25) : 1.0;
+}
+
+/// Share of the unresolved energy that is the first body's: a half-space or a plate returns nothing.
+double returned(const Contact& contact) { return contact.unbounded ? unresolved_share(contact) : 1.0; }
+
+/// By what the loss changes with the compliance of what is met, relative to it: a half-space takes in proportion, and a
+/// plate leaves a rebound ε² = 1 − q that falls exponentially with it, as in Zener's theory.
+double sensitivity(const Contact& contact, double lost) {
+  if (!contact.gives_way) return std::abs(lost);
+  const double left = 1.0 - lost;
+  return left > 0.0 ? left * std::abs(std::log(left)) : 0.0;
+}
+
 Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const std::vector<Run>& runs, double order) {
   constexpr double safety = 3.0;
   const auto missing = touch(contact).circle ? missing_of_balls : missing_on_a_line;
   const double scale = time_scale(contact), own = own_speed(contact, speed);
-  const double returned = contact.unbounded ? unresolved_share(contact) : 1.0;  // a half-space returns nothing
-  // To a plate that takes nearly all of the energy, more of it does nothing, and where a ball stays nothing can.
-  const auto rebound = [&](const Run& run) {
-    return contact.gives_way ? std::pow(std::max(0.0, 1.0 - run.lost_fraction), 0.25) : 1.0;
-  };
   const auto corrected = [&](const Run& run) {
-    return run.lost_fraction - rebound(run) * returned * missing(run.cutoff * scale, own).share * run.unresolved;
+    const double share = missing(run.cutoff * scale, own).share;
+    return run.lost_fraction - rebound(contact, run) * returned(contact) * share * run.unresolved;
   };
   const Run& last = runs.back();
   const Missing lacks = missing(last.cutoff * scale, own);
@@ -94,9 +107,9 @@ Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const s
   constexpr double less = 0.5, of_a_half_space = 3e-5, of_a_plate = 3e-6, calm_on_a_plate = 0.5;
   const double calm = contact.gives_way ? calm_on_a_plate : 1.0;
   const double quadrature = contact.gives_way ? of_a_plate : of_a_half_space;
-  const double doubt = calm * rebound(last) * std::max(less, returned) * lacks.doubt;
+  const double doubt = calm * rebound(contact, last) * std::max(less, returned(contact)) * lacks.doubt;
   const bool returns = contact.unbounded && last.remaining == 0.0;  // a body that stays could have nothing more taken
-  const double missed = returns ? quadrature * std::abs(last.lost_fraction) : 0.0;
+  const double missed = returns ? quadrature * sensitivity(contact, last.lost_fraction) : 0.0;
   return {corrected(last), std::max({missed, doubt * last.unresolved, node_error(contact, last),
                                      safety * spread(runs, order, corrected)})};
 }
@@ -153,7 +166,8 @@ double convergence_order(const Contact& contact) {
 }
 
 void conclude(const Contact& contact, double speed, const CurvatureCorrection& correction, Restitution& result) {
-  constexpr double focus = 0.6;          // peaks of the force that a wave brings back are short
+  constexpr double focus = 0.6;          // a wave that a disk brings back to its edge is a short peak
+  constexpr double roughness = 0.05;     // of the force of balls, from what of the unresolved energy may come back
   constexpr double ripple = 0.005;       // of a force that begins with a jump, in its mean (FlatForce)
   constexpr double blur = 0.5;           // of the period of that ripple, in which such a force ends
   constexpr double squared_step = 10.0;  // 95 % of 147 random half-spaces differ by less from finer runs
@@ -180,8 +194,11 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
   const double steps = last.resolution.step / last.impulse_time;
   const double of_parts = (at_a_point ? 1.0 : squared_step * steps) * last.resolution.step;
   result.impulse_time = estimate(smooth, &Run::impulse_time, last.impulse_time > 0.0 ? of_parts : 0.0);
-  const double beyond = std::max(focus * std::sqrt(std::max(0.0, last.unresolved)), at_a_point ? ripple : 0.0);
-  result.max_force = estimate(rough, &Run::max_force, beyond * last.max_force);
+  const bool circle = touch(contact).circle;
+  const double amplitude = circle ? roughness * std::sqrt(rebound(contact, last) * returned(contact)) : focus;
+  const double beyond = std::max(amplitude * std::sqrt(std::max(0.0, last.unresolved)), at_a_point ? ripple : 0.0);
+  const Bar& of_force = circle && contact.unbounded ? rougher : rough;
+  result.max_force = estimate(of_force, &Run::max_force, beyond * last.max_force);
   const double missing = turn * last.unresolved + (at_a_point ? 0.0 : node_error(contact, last));
   result.max_compression = estimate(smooth, &Run::max_compression, missing * std::abs(last.max_compression));
   if (last.remaining > 0.0) {  // a body that stays goes on pushing, and moving along with the plate

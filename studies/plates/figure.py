@@ -8,8 +8,8 @@ import numpy as np
 from matplotlib import pyplot
 
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00")
-PAIRS = (("structural steel", "structural steel"), ("structural steel", "glass"), ("glass", "glass"), ("ice", "ice"))
-SPEEDS = {"0.01": COLORS[0], "0.1": COLORS[2], "1": COLORS[1]}
+PAIRS = (("bearing steel", "bearing steel"), ("bearing steel", "glass"), ("glass", "glass"), ("ice", "ice"))
+SPEEDS = {"0.01": COLORS[0], "0.1": COLORS[2], "0.5": COLORS[1]}
 TOO_FAR = 0.3  # deflection over thickness beyond which a plate is no longer linear
 
 
@@ -35,7 +35,7 @@ def materials(rows):
             lower.plot(thickness, column(plates, "lost_fraction"), color=color)
             lower.plot(thickness, 1 - column(plates, "zener") ** 2, color=color, linestyle=":")
             lower.plot([20, 100], 2 * [float(block["lost_fraction"])], color=color, linewidth=3, alpha=0.4)
-        upper.set_title(f"{ball} on {plate}".replace("structural ", ""), fontsize=8)
+        upper.set_title(f"{ball} on {plate}".replace("bearing ", ""), fontsize=8)
         upper.set(xscale="log", xlim=(0.2, 5), ylim=(0, 1))
         upper.set_xticks((0.2, 0.5, 1, 2, 5), labels=("0.2", "0.5", "1", "2", "5"))
         upper.tick_params(labelbottom=True)
@@ -132,7 +132,7 @@ def layers(rows):
             (bare,) = [row for row in rows if (row["what"], row["sheet[mm]"]) == ("bare steel", sheet)]
             ratio = column(its, "lost_fraction") / float(bare["lost_fraction"])
             right.plot(column(its, "other[mm]"), ratio, color=color, linestyle=style)
-        right.plot([], [], color=color, label=coat)
+        right.plot([], [], color=color, label=coat + (", if elastic" if coat == "aluminium" else ""))
     for sheet, style in (("10", "-"), ("40", "--")):
         right.plot([], [], color="0.3", linestyle=style, label=f"on {sheet} mm of steel")
     right.axhline(1.0, color="0.3", linestyle=":")

@@ -1,9 +1,13 @@
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/sphere.hpp"
+#include "stoss/quasistatic/yield.hpp"
 #include "study.hpp"
 
 namespace study {
@@ -86,6 +90,11 @@ Zener zener(const Pair& pair, double thickness, double speed) {
 
 double deflection(const Pair& pair, double thickness, double speed, double restitution) {
   return mobility(pair, thickness) * mass * speed * (1.0 + restitution) / thickness;
+}
+
+std::string yield_speed(const stoss::Material& ball, double radius, const stoss::Material& block) {
+  const std::optional<double> speed = stoss::quasistatic::yield_speed(ball, radius, block, INFINITY);
+  return speed ? fmt::format("{:.3g}", *speed) : "";
 }
 
 std::vector<double> series(double from, double to, int count) {

@@ -40,6 +40,10 @@ struct Zener {
 /// What the plate moves by under the whole momentum of the ball, 1/(8√(Dρh)) times it, over its thickness.
 [[nodiscard]] double deflection(const Pair& pair, double thickness, double speed, double restitution);
 
+/// Speed at which a ball of that radius, m, or a block that it meets begins to yield, m/s, as text; empty where neither
+/// has a yield strength.
+[[nodiscard]] std::string yield_speed(const stoss::Material& ball, double radius, const stoss::Material& block);
+
 [[nodiscard]] std::vector<double> series(double from, double to, int count);
 
 void write_fast(const std::string& name);

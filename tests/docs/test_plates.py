@@ -12,8 +12,8 @@ FAST, MAP, BLOCK, LAYERS = (table(f"docs/results/plates/{name}.csv") for name in
 # Both speeds and both thicknesses have a unit more in this table.
 TEXT = (ROOT / "docs/results/plates/materials.csv").read_text(encoding="utf-8").replace("speed[c]", "own_speed")
 MATERIALS = rows(TEXT.replace("thickness[m]", "si_thickness").splitlines())
-PAIRS = (("structural steel", "structural steel"), ("structural steel", "glass"), ("glass", "glass"), ("ice", "ice"))
-SOLIDS = {"structural steel": (2.1e11, 0.3, 7850), "glass": (7e10, 0.22, 2500), "ice": (9.3e9, 0.33, 917)}
+PAIRS = (("bearing steel", "bearing steel"), ("bearing steel", "glass"), ("glass", "glass"), ("ice", "ice"))
+SOLIDS = {"bearing steel": (2.1e11, 0.3, 7810), "glass": (7e10, 0.22, 2500), "ice": (9.3e9, 0.33, 917)}
 
 
 def thickness(value):
@@ -46,7 +46,7 @@ def of(ball, plate, speed):
 
 
 def materials_lines():
-    its = [of(*pair, 1.0) for pair in PAIRS]
+    its = [of(*pair, 0.5) for pair in PAIRS]
     for wanted in (0.4, 0.5, 0.63, 0.8, 1, 2, 4, 10, 20, math.inf):
         h = min(its[0], key=lambda each: abs(math.log(each / wanted)) if math.isfinite(each + wanted) else each != wanted)
         mm = "block" if math.isinf(h) else f"{5 * h:.3g} mm"
@@ -97,18 +97,24 @@ def test_formula_for_a_block():
     assert 0.77 < min(hard) and max(hard) < 0.82 and "0.77 to 0.82" in WORDS
     assert max(places["one material nu=0.45"]) < 0.65
     for ball, plate in PAIRS:
-        block = of(ball, plate, 1.0)[math.inf]
+        block = of(ball, plate, 0.5)[math.inf]
         enough = 0.82 * 0.5 * pressure_speed(plate) * block["contact_time"]
-        name = f"{ball} on {plate}".replace("structural ", "")
+        name = f"{ball} on {plate}".replace("bearing ", "")
         assert f"{name} {100 * enough:.1f} cm" in WORDS
-        beyond = [row for h, row in of(ball, plate, 1.0).items() if 5e-3 * h > enough]
+        beyond = [row for h, row in of(ball, plate, 0.5).items() if 5e-3 * h > enough]
         assert all(abs(row["lost_fraction"] / block["lost_fraction"] - 1) < 0.01 for row in beyond)
 
 
 def test_zener_never_says_too_much():
     error = [1 - (1 - row["zener"] ** 2) / row["lost_fraction"] for row in MAP]
-    assert all(each > -1.5 * row["lost_fraction_error"] / row["lost_fraction"] for each, row in zip(error, MAP))
-    assert f"{len(MAP)} impacts" in WORDS and f"{sum(row['converged'] != 'true' for row in MAP)} of them" in WORDS
+    weak = [row for row in MAP if 0.0 < row["restitution"] <= 0.08]
+    strong = [each > -1.5 * row["lost_fraction_error"] for each, row in zip(error, MAP) if row["restitution"] > 0.08]
+    assert all(strong) and "wherever ε is above 0.08" in WORDS
+    assert all(1 - row["zener"] ** 2 - row["lost_fraction"] < 5e-5 for row in weak) and "at most 5·10⁻⁵" in WORDS
+    too_weak = min(row["zener"] / row["restitution"] - 1 for row in weak if row["speed"] < 2e-3)
+    assert f"by up to {-100 * too_weak:.0f} %" in WORDS
+    assert f"{len(MAP)} impacts" in WORDS and "all reach the tolerance of 10⁻³" in WORDS
+    assert all(row["converged"] == "true" for row in MAP)
 
 
 def test_law_of_the_error_of_zener():
@@ -146,6 +152,13 @@ def layered(what, sheet, other):
     return row
 
 
+def test_nothing_yields_that_is_not_said_to():
+    assert all(row["yield_speed"] == "" or row["speed"] < float(row["yield_speed"]) for row in MATERIALS)
+    beyond = {row["what"]: float(row["yield_speed"]) for row in LAYERS if float(row["yield_speed"]) < 0.2}
+    assert beyond == {"aluminium": 0.0223} and "at 0.2 m/s" in WORDS
+    assert "Aluminium yields from 0.022 m/s: read its line, at nine times that" in WORDS
+
+
 def test_layers():
     assert f"ε = {layered('one sheet', 4, 0)['restitution']:.3f}" in WORDS
     for what, other in (("two sheets in one", 0), ("laminated", 0.38), ("laminated", 1.52)):
@@ -166,10 +179,10 @@ def test_numbers_of_the_theory():
 
 
 def test_numbers_of_a_steel_ball():
-    rows = of("structural steel", "structural steel", 1.0)
+    rows = of("bearing steel", "bearing steel", 0.5)
     h = min(rows, key=lambda each: abs(each - 0.4))
     assert f"\\lambda = {rows[h]['inelasticity'] * (h / 0.4) ** 2:.3f}$" in THEORY
-    assert rows[0.2]["deflection"] == pytest.approx(0.042, abs=5e-4) and "1 mm by 4 %" in THEORY.replace("\n", " ")
+    assert rows[0.2]["deflection"] == pytest.approx(0.0209, abs=5e-4) and "1 mm by 2 %" in THEORY.replace("\n", " ")
 
 
 def test_table_of_zener():
