@@ -25,6 +25,15 @@ double stable_step(const Body& body) {
   return body.stable_step + damping * body.loss_time;
 }
 
+/// The same of two bodies, R/c of the first. That of a sheet, whose thickness a wave crosses at once, may be far less
+/// than the kept waves need. On 40 random sheets (h = 10⁻⁴ to 0.03, E = 0.01 to 1000, ρ = 0.001 to 100) under elastic
+/// and rigid spheres, the longer step changed greatest force, time and compression by at most 3·10⁻⁴.
+double stable_step(const Contact& contact, const UnitRatios& units) {
+  constexpr double least = 1.0 / 128.0;  // times the cutoff
+  const double own = std::min(stable_step(*contact.first), stable_step(*contact.second) * units.time);
+  return std::max(own, least / contact.cutoff);
+}
+
 /// Adds a body's modes, in the units of the first body and with the modal mass of the contact.
 void add_modes(const Body& body, const UnitRatios& units, std::size_t first_row, Contact& contact) {
   const double amplitude = std::sqrt(contact.mass / (body.mass * units.mass));
@@ -84,7 +93,6 @@ Contact contact(std::shared_ptr<const Body> first, std::shared_ptr<const Body> s
   contact.whole_mass = reduced(whole_mass(*first), whole_mass(*second) * units.mass);
   contact.extent = first->extent + second->extent * units.length;
   contact.cutoff = std::max(first->cutoff, second->cutoff / units.time);
-  contact.stable_step = std::min(stable_step(*first), stable_step(*second) * units.time);
   contact.radius = is_unbounded(*second) ? 1.0 : std::min(1.0, units.length);
   add_modes(*first, UnitRatios{}, 0, contact);
   contact.first_groups = contact.groups.size();
@@ -93,6 +101,7 @@ Contact contact(std::shared_ptr<const Body> first, std::shared_ptr<const Body> s
   add_modes(*second, units, shape_rows(*first), contact);
   contact.first = std::move(first);
   contact.second = std::move(second);
+  contact.stable_step = stable_step(contact, units);
   contact.set_ups = std::make_shared<SetUps>();
   return contact;
 }

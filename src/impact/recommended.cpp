@@ -51,6 +51,14 @@ int nodes_within(const Contact& contact, double half_width) {
   return static_cast<int>(std::ceil(std::min<double>(nodes, most_nodes)));
 }
 
+double known_half_width(const Contact& contact, double speed, const Impact& coarser) {
+  constexpr double spacings = 2.0, share = 0.25;
+  const FixedResolution& grid = coarser.resolution;
+  if (grid.nodes < 2) return 0.0;
+  const bool resolved = coarser.max_half_width > spacings * grid.half_width / grid.nodes;
+  return resolved ? coarser.max_half_width : share * initial_half_width(contact, speed);
+}
+
 Resolution refined_resolution(const Contact& contact, double speed, double half_width) {
   Resolution resolution;
   resolution.step = std::min(0.5 / contact.cutoff, contact.stable_step);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stoss/impact/impact.hpp"
 #include "stoss/impact/resolution.hpp"
 
 namespace stoss {
@@ -18,6 +19,11 @@ inline constexpr int most_nodes = 4096;
 
 /// Recommended nodes of a grid.
 [[nodiscard]] int nodes_within(const Contact& contact, double half_width);
+
+/// Maximum half-width of a contact for the grid of a finer run. One narrower than the spacing of its grid tells
+/// nothing, as a sheet touches here and there: a share of the usual width does for it.
+/// @param coarser run, or an empty one if there was none
+[[nodiscard]] double known_half_width(const Contact& contact, double speed, const Impact& coarser);
 
 /// Resolution of an impact at a hard wall for `restitution`: finer in time and in space with the
 /// cutoff.

@@ -137,7 +137,7 @@ double refine(const RefinableContact& contact, const ObliqueOptions& options, st
       continue;
     }
     for (std::size_t k = 0; k < open.size(); ++k) {
-      width = std::max(width, impacts[k].normal.max_half_width);
+      width = std::max(width, known_half_width(coarse, speed, impacts[k].normal));
       add_run(plan, std::move(impacts[k]), *open[k]);
     }
     const auto done = [](const ObliqueRestitution* each) { return each->converged; };

@@ -186,7 +186,8 @@ Restitution refined(const RefinableContact& contact, double speed, const Restitu
     }
     try {
       const auto compute = [&](const Contact& resolved) {
-        const Resolution resolution = refined_resolution(resolved, speed, result.finest.max_half_width);
+        const Resolution resolution =
+            refined_resolution(resolved, speed, known_half_width(resolved, speed, result.finest));
         ImpactOptions of_one{.resolution = resolution, .poll = options.poll};
         if (!options.vibration.empty()) of_one.start = approach(resolved, speed, options.vibration);
         return impact(resolved, speed, of_one);

@@ -29,6 +29,7 @@ MANY = "thickness=0.1" + "".join(f"/thickness=0.1,young={(1000, 1)[i % 2]}" for 
     "against",
     [
         "plate,thickness=0.02,young=0.3,density=0.001",  # of which almost nothing comes back
+        "plate,thickness=0.002,young=0.3,density=0.001",  # a sheet, in which a wave crosses the thickness at once
         "plate,thickness=0.5/thickness=0.1,young=0.001,density=100",  # a slow layer where no wave goes
         "plate,thickness=0.5,young=0.001/thickness=0.1,young=1000",
         "plate," + MANY,
