@@ -45,6 +45,9 @@ Output::Output(const std::string& path, Use use) : path_(path == "-" ? "" : path
   if (path_.empty()) return;
   target_ = std::make_unique<Target>(path_);
   if (use != Use::whole) target_->make();
+  // Judged before anything is computed: root may write into /proc by its modes, and a full or read-only disk says so
+  // only when asked for a file.
+  if (use == Use::whole || (use == Use::rows && !target_->is_empty())) target_->require_room();
 }
 
 void Output::put(bool grows) {

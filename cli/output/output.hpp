@@ -48,6 +48,9 @@ class Target {
   /// Makes the file and locks it where there is none. It goes again with the target unless something is written.
   void make();
 
+  /// Makes a file beside it, and removes it. @throws OutputError where `prepare` could make none
+  void require_room() const;
+
   /// Adds the text to a file beside it, which `replace` will put in its place. @throws OutputError
   void prepare(const std::string& text);
 

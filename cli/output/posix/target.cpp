@@ -136,6 +136,8 @@ void Target::make() {
   }
 }
 
+void Target::require_room() const { const Beside probe(path_, file_); }
+
 void Target::prepare(const std::string& text) {
   if (!beside_) beside_ = std::make_unique<Beside>(path_, file_);
   beside_->write(text);
