@@ -92,6 +92,31 @@ void refuse_empty_values(CLI::App& app) {
   for (CLI::App* command : subcommands(app)) refuse_empty_values(*command);
 }
 
+std::string way_to_less_memory(const CLI::App& app) {
+  using Way = std::pair<const char*, const char*>;
+  for (const CLI::App* command : app.get_subcommands()) {
+    for (const auto& [option, way] :
+         {Way{"--cutoff", "use a smaller --cutoff"}, Way{"--samples", "use fewer --samples"},
+          Way{"--tolerance", "use a larger --tolerance"}, Way{"--error", "allow a larger --error"}}) {
+      if (command->get_option_no_throw(option) != nullptr) return way;
+    }
+  }
+  return {};
+}
+
+std::string without_missing_ways(const CLI::App& app, std::string message) {
+  using Way = std::pair<const char*, std::string_view>;
+  for (const CLI::App* command : app.get_subcommands()) {
+    for (const auto& [option, way] : {Way{"--step", " (use a smaller step)"}, Way{"--step", " (use a larger step)"},
+                                      Way{"--nodes", " (use fewer nodes)"}, Way{"--cutoff", " (raise it)"}}) {
+      if (command->get_option_no_throw(option) == nullptr && message.ends_with(way)) {
+        message.resize(message.size() - way.size());
+      }
+    }
+  }
+  return message;
+}
+
 std::string unknown_words(const CLI::App& app) {
   const auto unknown = app.remaining(true);
   if (unknown.empty()) return {};

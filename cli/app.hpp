@@ -97,6 +97,12 @@ template <typename App>
 /// Lets every option of the command and its subcommands refuse an empty value, as an unset shell variable leaves it.
 void refuse_empty_values(CLI::App& app);
 
+/// How what was asked for takes less memory, by the options that its subcommand has; "" if by none.
+[[nodiscard]] std::string way_to_less_memory(const CLI::App& app);
+
+/// A message of the core without a way out at its end that the subcommand has no option for.
+[[nodiscard]] std::string without_missing_ways(const CLI::App& app, std::string message);
+
 /// What to say of words that no option or subcommand of `app` has taken; "" if all were taken.
 [[nodiscard]] std::string unknown_words(const CLI::App& app);
 

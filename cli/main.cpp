@@ -59,14 +59,15 @@ int run(int argc, char** argv) {
   } catch (const stoss::InvalidInput& error) {
     return complain(bad_input, error.what());
   } catch (const stoss::NotConverged& error) {
-    return complain(not_converged, error.what());
+    return complain(not_converged, stoss::cli::without_missing_ways(app, error.what()));
   } catch (const stoss::cli::OutputError& error) {
     // Whoever closed the pipe knows.
     return error.reason() == EPIPE ? input_output : complain(input_output, error.what());
   } catch (const stoss::cli::Interrupted&) {
     return complain(signalled + stoss::cli::interrupted(), "interrupted");
   } catch (const std::bad_alloc&) {
-    return complain(bad_input, "memory: this needs more than the machine has (use a smaller cutoff or fewer nodes)");
+    const std::string way = stoss::cli::way_to_less_memory(app);
+    return complain(bad_input, "memory: this needs more than the machine has" + (way.empty() ? "" : " (" + way + ")"));
   } catch (const std::system_error& error) {
     const bool thread = error.code() == std::errc::resource_unavailable_try_again;
     return complain(input_output, thread ? "threads: cannot start as many as asked for (use --threads 1)"

@@ -19,6 +19,30 @@ namespace {
   throw InvalidInput(line);
 }
 
+std::string with_digits(double value, int digits) {
+  std::ostringstream writer;
+  writer.imbue(std::locale::classic());
+  writer.precision(digits);
+  writer << value;
+  return writer.str();
+}
+
+double read_back(const std::string& text) {
+  std::istringstream reader(text);
+  reader.imbue(std::locale::classic());
+  double value = std::numeric_limits<double>::quiet_NaN();
+  reader >> value;
+  return value;
+}
+
+/// @param inside 1: upwards, -1: downwards
+std::string shown_end(double value, double inside) {
+  std::string text = rounded(value);
+  if (!std::isfinite(value) || value == 0.0 || (read_back(text) - value) * inside >= 0.0) return text;
+  const double digit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 5.0);
+  return rounded(value + inside * digit);
+}
+
 }  // namespace
 
 void require(std::string_view name, double value, const Range& range, std::string_view hint) {
@@ -57,17 +81,16 @@ std::string shown(double value) {
   if (std::isnan(value)) return "nan";  // without the sign that some processors give it
   std::string text;
   for (int digits = 10; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
-    std::ostringstream writer;
-    writer.imbue(std::locale::classic());
-    writer.precision(digits);
-    writer << value;
-    text = writer.str();
-    std::istringstream reader(text);
-    reader.imbue(std::locale::classic());
-    double read = 0.0;
-    if (reader >> read && read == value) break;
+    text = with_digits(value, digits);
+    if (read_back(text) == value) break;
   }
   return text;
 }
+
+std::string rounded(double value) { return std::isnan(value) ? "nan" : with_digits(value, 6); }
+
+std::string shown_least(double value) { return shown_end(value, 1.0); }
+
+std::string shown_most(double value) { return shown_end(value, -1.0); }
 
 }  // namespace stoss

@@ -34,7 +34,14 @@ void require_loss_time(double loss_time);
 /// error of 1 − ε², 0 … 0.5.
 void require_tolerance(double tolerance, double absolute);
 
-/// A number with ten digits, or as many as tell it from every other one.
+/// A number with ten digits, or as many as tell it from every other one: as it was given.
 [[nodiscard]] std::string shown(double value);
+
+/// A computed number, with six digits.
+[[nodiscard]] std::string rounded(double value);
+
+/// A computed end of what is allowed, with six digits: rounded towards the inside, so that what is shown is allowed.
+[[nodiscard]] std::string shown_least(double value);
+[[nodiscard]] std::string shown_most(double value);
 
 }  // namespace stoss

@@ -41,7 +41,7 @@ struct Ensemble {
   Units units;
 };
 
-Ensemble make_ensemble(const DistributionArguments& arguments, const Encounter& encounter) {
+Ensemble make_ensemble(DistributionArguments& arguments, const Encounter& encounter) {
   refuse_soft(encounter);
   const Units units = units_of(encounter);
   const double speed = parse_speed(arguments.speed, units);

@@ -133,7 +133,8 @@ struct SpectrumArguments {
   void add_to(CLI::App& command);
 
   /// @throws InvalidInput unless one of the two ways is chosen, and as the core
-  [[nodiscard]] Spectrum spectrum(const RefinableContact& contact, const Poll& poll) const;
+  /// Notes the highest frequency that it takes. @throws InvalidInput, and what the makers and poll throw
+  [[nodiscard]] Spectrum spectrum(const RefinableContact& contact, const Poll& poll);
 
   /// Adds what was chosen to the inputs of a result.
   void describe(nlohmann::ordered_json& inputs) const;

@@ -15,7 +15,6 @@ namespace stoss::cli {
 namespace {
 
 const std::vector<std::string> bodies{"first", "second"};
-constexpr double usual_highest = 10.0;
 
 /// Of --mode or --spectrum. @param keys that may stand behind order and index
 Oscillation parse_mode(const std::string& option, const std::vector<std::string>& keys, const std::string& text) {
@@ -84,8 +83,9 @@ void SpectrumArguments::add_to(CLI::App& command) {
       "translational one, 0 to 1e6 (this or --spectrum)",
       "SHARE", "Vibration");
   add(command, "--highest", highest,
-      "With --temperature: modes up to this frequency in c/R of the first\nbody vibrate (default: 10)", "OMEGA",
-      "Vibration");
+      "With --temperature: modes up to this frequency in c/R of the first\nbody vibrate (default: 10, where bodies "
+      "allow it)",
+      "OMEGA", "Vibration");
   add(command, "--spectrum", modes,
       "A mode that vibrates, once for each: order n and index l as stoss\n"
       "modes has them; its mean energy, as a share of the translational\n"
@@ -93,7 +93,7 @@ void SpectrumArguments::add_to(CLI::App& command) {
       "N,L,energy=SHARE[,of=second]", "Vibration");
 }
 
-Spectrum SpectrumArguments::spectrum(const RefinableContact& contact, const Poll& poll) const {
+Spectrum SpectrumArguments::spectrum(const RefinableContact& contact, const Poll& poll) {
   if (temperature.has_value() != modes.empty()) {
     throw InvalidInput(fmt::format("temperature: got {} --temperature and --spectrum, allowed one of the two",
                                    temperature ? "both" : "neither"));
@@ -101,7 +101,10 @@ Spectrum SpectrumArguments::spectrum(const RefinableContact& contact, const Poll
   if (highest && !temperature) {
     throw InvalidInput("highest: got --highest with --spectrum, allowed only with --temperature");
   }
-  if (temperature) return thermal(contact, *temperature, highest.value_or(usual_highest), poll);
+  if (temperature) {
+    if (!highest) highest = usual_highest(contact, poll);
+    return thermal(contact, *temperature, *highest, poll);
+  }
   Spectrum spectrum;
   for (const Oscillation& mean : means()) spectrum.push_back({mean.body, mean.order, mean.index, mean.energy});
   return spectrum;
@@ -110,7 +113,7 @@ Spectrum SpectrumArguments::spectrum(const RefinableContact& contact, const Poll
 void SpectrumArguments::describe(nlohmann::ordered_json& inputs) const {
   if (temperature) {
     inputs["temperature"] = *temperature;
-    inputs["highest"] = highest.value_or(usual_highest);
+    inputs["highest"] = *highest;
   } else {
     inputs["spectrum"] = described(means(), false);
   }

@@ -111,6 +111,12 @@ void bind_distribution(py::module_& module) {
       },
       py::arg("contact"), py::arg("temperature"), py::arg("highest"));
   module.def(
+      "usual_highest",
+      [](const RefinableContact& contact) {
+        return computed([&](const Poll& poll) { return usual_highest(contact, poll); });
+      },
+      py::arg("contact"));
+  module.def(
       "frequencies",
       [](const RefinableContact& contact, const Means& spectrum) {
         const Spectrum modes = to_spectrum(spectrum);

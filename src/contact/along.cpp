@@ -13,7 +13,7 @@ namespace {
 
 std::vector<Body> bodies_along(const Body& body, const Poll& poll) {
   if (body.along) return body.along(poll);
-  throw InvalidInput("friction: not available for '" + body.name +
+  throw InvalidInput("friction: not available for '" + short_name(body) +
                      "', but for disks, spheres, half-spaces, plates, and modal bodies with a tangent (leave friction "
                      "out, or take 0)");
 }

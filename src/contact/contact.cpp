@@ -58,11 +58,11 @@ Contact contact(std::shared_ptr<const Body> body, const Wall& wall) {
   validate(*body);
   validate(wall);
   if (is_unbounded(*body)) {
-    throw InvalidInput("body: '" + body->name +
+    throw InvalidInput("body: '" + short_name(*body) +
                        "' cannot meet a wall, because it does not move (let another body meet it)");
   }
   if (body->softness == 0.0) {
-    throw InvalidInput("against: a rigid body ('" + body->name +
+    throw InvalidInput("against: a rigid body ('" + short_name(*body) +
                        "') cannot meet a rigid wall; one of the two must be elastic");
   }
   if (body->contour == Contour::ball && body->curvature == 0.0) {

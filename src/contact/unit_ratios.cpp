@@ -13,21 +13,22 @@ namespace {
 
 constexpr double unequal = 1e-9;
 
-/// The name of a body without its numbers, which are in units that nobody may have given.
-std::string short_name(const Body& body) {
-  const std::size_t equals = body.name.find('=');
-  return equals == std::string::npos ? body.name : body.name.substr(0, body.name.rfind(' ', equals));
+/// Refuses what is beyond `most`, by a value of six digits: it is computed of what was given.
+void require_below(const std::string& name, double ratio, double most, std::string_view shown_most,
+                   const std::string& hint) {
+  constexpr double least = 1e-3 * (1.0 - unequal);
+  if (ratio >= least && ratio <= most * (1.0 + unequal)) return;
+  throw InvalidInput(name + " ratio: got " + rounded(ratio) + ", allowed 0.001 to " + std::string(shown_most) + " (" +
+                     hint + ")");
 }
 
 void require_ratio(const std::string& name, double ratio, std::string_view hint = {}) {
-  constexpr Range allowed{1e-3 * (1.0 - unequal), 1e3 * (1.0 + unequal), true, true, "0.001 to 1000"};
-  require(name + " ratio", ratio, allowed, "of the second body to the first" + std::string(hint));
+  require_below(name, ratio, 1e3, "1000", "of the second body to the first" + std::string(hint));
 }
 
 /// @param of what has no end
 void require_ratio_of_half_space(const std::string& name, const Body& of, double ratio, std::string_view hint = {}) {
-  constexpr Range allowed{1e-3 * (1.0 - unequal), 1e6 * (1.0 + unequal), true, true, "0.001 to 1e6"};
-  require(name + " ratio", ratio, allowed, "of the " + short_name(of) + " to the body" + std::string(hint));
+  require_below(name, ratio, 1e6, "1e6", "of the " + short_name(of) + " to the body" + std::string(hint));
 }
 
 /// The modulus of a rigid body is only a unit: whatever it is, ratios to it say nothing.
@@ -63,6 +64,12 @@ void require_round(const Body& body, double other) {
 
 }  // namespace
 
+std::string short_name(const Body& body) {
+  if (is_known_at_a_point(body)) return body.name;  // as it was given
+  const std::size_t equals = body.name.find('=');
+  return equals == std::string::npos ? body.name : body.name.substr(0, body.name.rfind(' ', equals));
+}
+
 UnitRatios units_of(const Contact& contact, int number) {
   return number == 0 ? UnitRatios{} : UnitRatios(*contact.second, *contact.first);
 }
@@ -80,7 +87,7 @@ std::size_t shape_rows(const Body& body) {
 void require_partners(const Body& first, const Body& second) {
   require_contours(first, second);
   if (is_unbounded(first)) {
-    throw InvalidInput("body: '" + first.name +
+    throw InvalidInput("body: '" + short_name(first) +
                        "' cannot be the first body, because it does not move (let the other body meet it)");
   }
   if (first.softness == 0.0 && second.softness == 0.0) {
@@ -101,8 +108,8 @@ void require_partners(const Body& first, const Body& second) {
     require_ratio_of_half_space("density", second, units.mass / (units.length * units.length * size));
   } else if (first.contour == Contour::flat) {
     require_ratio("length", units.length);
-    require_ratio("transit time", units.time);
-    require_ratio("impedance", units.impedance);
+    require_ratio("transit time", units.time, "; length sqrt(density/young)");
+    require_ratio("impedance", units.impedance, "; area sqrt(young density)");
   } else if (!is_known_at_a_point(first) && !is_known_at_a_point(second)) {
     require_ratio("radius", units.length);
     const double volume = units.length * units.length * (first.contour == Contour::ball ? units.length : 1.0);
@@ -111,8 +118,7 @@ void require_partners(const Body& first, const Body& second) {
   }
   const double cutoff = second.cutoff / units.time;
   if (std::abs(cutoff - first.cutoff) > unequal * first.cutoff) {
-    throw InvalidInput("cutoff: got " + std::to_string(first.cutoff) + " for the first body and " +
-                       std::to_string(cutoff) +
+    throw InvalidInput("cutoff: got " + rounded(first.cutoff) + " for the first body and " + rounded(cutoff) +
                        " for the second, allowed one frequency for both (in c/R of the first)");
   }
 }
@@ -120,8 +126,8 @@ void require_partners(const Body& first, const Body& second) {
 void refuse_unequal(const Body& first, const Body& second, double share, const std::string& what) {
   const double time = UnitRatios(second, first).time;
   const std::string most = shown(std::floor(share * std::max(time, 1.0 / time)));
-  throw InvalidInput("against: got '" + second.name + "' for '" + first.name + "', allowed " + what +
-                     "a body whose R/c is at most " + most +
+  throw InvalidInput("against: got '" + short_name(second) + "' of " + rounded(time) + " times the R/c of '" +
+                     short_name(first) + "', allowed " + what + "a body whose R/c is at most " + most +
                      " times that of the other (a larger one has more modes than are computed; an infinite one, a "
                      "half-space or half-plane, is its limit)");
 }

@@ -37,6 +37,9 @@ struct UnitRatios {
 /// The own units of a body of a contact in those of the first. @param number 0: of the first, 1: of the second
 [[nodiscard]] UnitRatios units_of(const Contact& contact, int number);
 
+/// The name of a body without its numbers, which are in units that nobody may have given.
+[[nodiscard]] std::string short_name(const Body& body);
+
 /// Contact points as a body sees them: for the smaller of the two the circle is its own edge, exactly.
 /// @param units those of the body in those of the first
 [[nodiscard]] ContactPoints seen_by(const ContactPoints& points, const UnitRatios& units);

@@ -68,7 +68,7 @@ auto with_given_loss_time(const Participant& of, const Compute& compute) {
     const double given = loss_time_of(of);
     if (line.compare(0, refused.size(), refused) != 0 || !(given > 0.0) || std::isinf(given)) throw;
     const double most = 1e5 * given / std::stod(line.substr(refused.size()));
-    throw InvalidInput("loss_time: got " + shown(given) + ", allowed 0 to " + shown(most) +
+    throw InvalidInput("loss_time: got " + shown(given) + ", allowed 0 to " + shown_most(most) +
                        " (eta of stress = (1 + eta d/dt) elastic stress; 1e5 R/c of the body)");
   }
 }
@@ -182,8 +182,9 @@ double own_speed(const Encounter& encounter, double speed) {
   constexpr double slowest = 1e-8, fastest = 1.0;
   const double unit = speed_unit(encounter);
   if (!(speed >= slowest * unit && speed <= fastest * unit)) {
-    throw InvalidInput("speed: got " + shown(speed) + ", allowed " + shown(slowest * unit) + " to " +
-                       shown(fastest * unit) + " " + std::string(unit_name(Dimension::speed, unit_system(encounter))) +
+    throw InvalidInput("speed: got " + shown(speed) + ", allowed " + shown_least(slowest * unit) + " to " +
+                       shown_most(fastest * unit) + " " +
+                       std::string(unit_name(Dimension::speed, unit_system(encounter))) +
                        " (speed of approach, 1e-8 to 1 c)");
   }
   return std::clamp(speed / unit, slowest, fastest);  // the division may round beyond an end

@@ -7,21 +7,23 @@
 namespace stoss {
 namespace {
 
-/// Frequency up to which all modes of both are known, c/R of the first.
+/// Frequency up to which all modes of both are known, and computed, c/R of the first.
 double known_to(const Encounter& encounter) {
   if (!kind(encounter.first.kind).from_file && !kind(encounter.against.kind).from_file) {
     return std::numeric_limits<double>::infinity();
   }
-  // What is known does not depend on what is kept.
+  // What is known, and computed, does not depend on what is kept.
   constexpr double any = 1.0;
-  constexpr double rounding = 1.0 + 1e-12;  // with the last mode
+  constexpr double with_last = 1.0 + 1e-12, below = 1.0 - 1e-12;
+  const auto highest = [](const Body& body) {
+    const double known = with_last * body.known.complete_to;
+    return is_unbounded(body) ? known : std::min(known, below * body.highest_cutoff);
+  };
   const Body first = first_maker(encounter)(any, {});
-  double known = first.known.complete_to;
-  if (const BodyMaker maker = second_maker(encounter)) {
-    const Body second = maker(any, {});
-    known = std::min(known, second.known.complete_to / UnitRatios(second, first).time);
-  }
-  return rounding * known;
+  const BodyMaker maker = second_maker(encounter);
+  if (!maker) return highest(first);
+  const Body second = maker(any, {});
+  return std::min(highest(first), highest(second) / UnitRatios(second, first).time);
 }
 
 }  // namespace

@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "check.hpp"
+#include "contact/unit_ratios.hpp"
 #include "impact/free_flight.hpp"
+#include "impact/possible_modes.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -54,6 +56,14 @@ class Numbers {
   std::vector<std::pair<Key, std::size_t>> sorted_;
 };
 
+void require_motion(const State& state) {
+  if (!(state.velocity != 0.0) || !std::isfinite(state.velocity)) {
+    throw InvalidInput("state: got velocity " + shown(state.velocity) + ", allowed bodies that move");
+  }
+}
+
+}  // namespace
+
 std::string named(const Oscillation& mode) {
   return "mode (" + std::to_string(mode.order) + ", " + std::to_string(mode.index) + ") of the " +
          (mode.body == 0 ? "first" : "second") + " body";
@@ -67,8 +77,12 @@ void require_possible(const Contact& contact, const Oscillation& mode) {
   }
   const Body& body = *its;
   if (!is_whole(body)) {
-    throw InvalidInput("vibration: got a mode of '" + body.name + "', allowed modes of bodies that are there as a " +
-                       "whole (the waves of this one run away)");
+    throw InvalidInput("vibration: got a mode of '" + short_name(body) +
+                       "', allowed modes of bodies that are there as a " + "whole (the waves of this one run away)");
+  }
+  if (is_known_at_a_point(body)) {
+    throw InvalidInput("vibration: got a mode of '" + body.name + "', allowed modes of bodies that are known as a " +
+                       "whole (of this one a point is)");
   }
   if (mode.order < 0 || mode.index < 0) {
     throw InvalidInput("vibration: got " + named(mode) + ", allowed an order and an index of 0 or more");
@@ -78,14 +92,6 @@ void require_possible(const Contact& contact, const Oscillation& mode) {
     throw InvalidInput("vibration: got " + named(mode) + ", allowed order 0 (a flat end has no other)");
   }
 }
-
-void require_motion(const State& state) {
-  if (!(state.velocity != 0.0) || !std::isfinite(state.velocity)) {
-    throw InvalidInput("state: got velocity " + shown(state.velocity) + ", allowed bodies that move");
-  }
-}
-
-}  // namespace
 
 State approach(const Contact& contact, double speed, const Vibration& vibration) {
   require_speed(speed);
@@ -107,7 +113,7 @@ State approach(const Contact& contact, double speed, const Vibration& vibration)
     const std::optional<std::size_t> at = numbers.of(mode);
     if (!at) {
       throw InvalidInput("vibration: got " + named(mode) + ", allowed modes up to the cutoff, " +
-                         shown(contact.cutoff) + " (raise it)");
+                         shown_most(contact.cutoff) + " (raise it)");
     }
     if (given[*at]) throw InvalidInput("vibration: got " + named(mode) + " twice, allowed once");
     constexpr Range not_negative{0.0, 1e12, true, true, "0 to 1e12"};

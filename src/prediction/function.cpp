@@ -24,7 +24,7 @@ PredictedFunction predicted_function(const Encounter& encounter, double slowest,
       values.push_back(each.restitution);
       by_models = std::max(by_models, each.by_models);
       if (!(values.back().error <= options.error / 3.0)) {
-        throw NotConverged("predict: at speed " + shown(each.speed) + " m/s the computed channels do not converge");
+        throw NotConverged("predict: at speed " + rounded(each.speed) + " m/s the computed channels do not converge");
       }
     }
     return values;

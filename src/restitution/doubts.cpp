@@ -32,18 +32,6 @@ constexpr std::array affected{Affected{&Restitution::lost_fraction, &Impact::los
                               Affected{&Restitution::max_force, &Impact::max_force, -1},
                               Affected{&Restitution::max_compression, &Impact::max_compression, 1}};
 
-/// An impact as another first body has it in its own units: of another curvature, it has another unit of length.
-/// @param length that unit, in the one of the options
-ImpactOptions in_units_of(const ImpactOptions& options, double length) {
-  ImpactOptions own = options;
-  if (own.resolution.step) *own.resolution.step /= length;
-  if (own.resolution.half_width) *own.resolution.half_width /= length;
-  if (!own.start) return own;
-  own.start->center /= length;
-  for (double& each : own.start->coordinate) each /= length;
-  return own;
-}
-
 }  // namespace
 
 std::vector<Contact> alternatives(const Contact& contact, Affects motion) {
@@ -66,6 +54,19 @@ std::vector<Contact> alternatives(const Contact& contact, Affects motion) {
   return all;
 }
 
+ImpactOptions options_of(const Contact& other, const Contact& contact, const Impact& impact, const Poll& poll) {
+  const double length = other.first->scale.length / contact.first->scale.length;
+  ImpactOptions own{.resolution = Resolution(impact.resolution), .poll = poll};
+  own.start = impact.start;
+  if (own.resolution.step) *own.resolution.step /= length;
+  if (own.resolution.half_width) *own.resolution.half_width /= length;
+  if (!own.start) return own;
+  own.start->center = (contact.extent + own.start->center) / length - other.extent;
+  for (double& each : own.start->coordinate) each /= length;
+  for (double& each : own.start->momentum) each *= other.mass / contact.mass;
+  return own;
+}
+
 double neglected_share(const Contact& contact, double half_width) {
   double share = 0.0;
   if (contact.first->known.neglected) share += contact.first->known.neglected(half_width);
@@ -84,11 +85,9 @@ void add_doubts(const RefinableContact& contact, double speed, double stretch, c
   // Of few modes the energies above the cutoff, by which the ladder judges, may be smaller than what is gained or lost.
   result.lost_fraction.error += std::abs(finest.energy_error);
   for (const Contact& other : others) {
-    ImpactOptions of_one{.resolution = Resolution(finest.resolution), .poll = options.poll};
-    of_one.start = finest.start;
     const double length = other.first->scale.length / resolved.first->scale.length;
     try {
-      const Impact changed = impact(other, speed, in_units_of(of_one, length));
+      const Impact changed = impact(other, speed, options_of(other, resolved, finest, options.poll));
       for (const auto& [estimate, value, power] : affected) {
         (result.*estimate).error += std::abs(changed.*value * std::pow(length, power) - finest.*value);
       }

@@ -19,6 +19,11 @@ enum class Affects { both, along };
 /// The contact with each of these alternatives of a body in its place.
 [[nodiscard]] std::vector<Contact> alternatives(const Contact& contact, Affects affected);
 
+/// How the impact of a contact is repeated with an alternative in its place, which of another curvature has another
+/// unit of length: the same step, and the same motion and gap before.
+[[nodiscard]] ImpactOptions options_of(const Contact& other, const Contact& contact, const Impact& impact,
+                                       const Poll& poll);
+
 /// Share of 1 − ε², and of what friction changes, that both bodies leave out.
 [[nodiscard]] double neglected_share(const Contact& contact, double half_width);
 

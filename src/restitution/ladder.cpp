@@ -194,7 +194,7 @@ Levels RefinableContact::levels(double speed, double longer, const Poll& poll, M
   usable.lowest = usable.highest - levels_of_a_point;
   if (usable.lowest < lowest_of_a_point) {
     throw NotConverged("'" + name(probe) + "': the contact would be some " +
-                       shown(std::round(1000.0 * half_width) / 1000.0) +
+                       rounded(std::round(1000.0 * half_width) / 1000.0) +
                        " R wide, wider than its modal data describe (use a lower speed; a body file with the "
                        "curvature of displacements reaches further)");
   }
@@ -241,7 +241,7 @@ Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, 
     const double most = second.near_side(pair.second_size * stretch, least_cutoff, poll).highest_cutoff /
                         UnitRatios(second, *pair.probe.first).time;
     constexpr std::string_view why = "in c/R of the first body; contacts that last so long meet too many waves above";
-    require("cutoff", cutoff, {0.0, most, false, true, "above 0 to " + shown(most)}, why);
+    require("cutoff", cutoff, {0.0, most, false, true, "above 0 to " + shown_most(most)}, why);
     try {
       return contact_of(pair, cutoff, stretch, poll);
     } catch (const InvalidInput& error) {  // of a lossy one, in its own units
@@ -249,11 +249,20 @@ Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, 
       throw InvalidInput("cutoff: got " + shown(cutoff) + ", allowed a lower one (" + std::string(why) + ")");
     }
   }
-  if (pair.first_size == 1.0 && pair.second_size == 1.0) return contact_of(pair, cutoff, 1.0, poll);
   const double most = highest_cutoff(pair);
+  if (pair.first_size == 1.0 && pair.second_size == 1.0) {
+    const Body& second = *pair.probe.second;
+    const double of_second = second.highest_cutoff / UnitRatios(second, *pair.probe.first).time;
+    constexpr double rounding = 1.0 + 1e-9;
+    if (cutoff > rounding * of_second) {
+      require("cutoff", cutoff, {0.0, of_second, false, true, "above 0 to " + shown_most(of_second)},
+              "highest frequency in c/R of the first body; above, the second has more modes than are computed");
+    }
+    return contact_of(pair, cutoff, 1.0, poll);
+  }
   constexpr double smallest = 0.5;
   constexpr double none = std::numeric_limits<double>::min();
-  require("cutoff", cutoff, {none, most / smallest, true, true, "above 0 to " + shown(most / smallest)},
+  require("cutoff", cutoff, {none, most / smallest, true, true, "above 0 to " + shown_most(most / smallest)},
           "highest frequency in c/R of the first body; the larger one has more modes than are computed");
   return contact_of(pair, cutoff, std::min(1.0, most / cutoff), poll);
 }

@@ -35,13 +35,11 @@ constexpr std::array doubtful{
 /// Rules that ended at one cutoff.
 using Group = std::vector<ObliqueRestitution*>;
 
-void add_alternative(const Contact& other, double speed, double longer, const ObliqueOptions& options,
+void add_alternative(const Contact& other, const Contact& resolved, double speed, const ObliqueOptions& options,
                      const Group& group) {
-  const ObliqueImpact& like = group.front()->finest;
-  ImpactOptions of_one{.resolution = Resolution(like.normal.resolution), .poll = options.poll};
-  of_one.start = like.normal.start;
+  const double longer = other.first->scale.length / resolved.first->scale.length;
   try {
-    const Slides slides(other, speed, of_one);
+    const Slides slides(other, speed, options_of(other, resolved, group.front()->finest.normal, options.poll));
     for (ObliqueRestitution* each : group) {
       Obliquity before = each->before;
       before.spin *= longer, before.second_spin *= longer;
@@ -116,7 +114,7 @@ void add_oblique_doubts(const RefinableContact& contact, double speed, double st
     if (!rough) continue;
     for (const Affects motion : {Affects::both, Affects::along}) {
       for (const Contact& other : alternatives(resolved, motion)) {
-        add_alternative(other, speed, other.first->scale.length / resolved.first->scale.length, options, group);
+        add_alternative(other, resolved, speed, options, group);
       }
     }
   }

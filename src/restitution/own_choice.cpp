@@ -1,6 +1,7 @@
 #include "restitution/own_choice.hpp"
 
 #include <array>
+#include <cstddef>
 #include <utility>
 
 namespace stoss {
@@ -15,6 +16,16 @@ std::string beyond_own_choice(std::string_view refusal) {
     if (refusal.substr(0, name.size()) != name) continue;
     return "restitution: an impact of these bodies at this speed needs " + std::string(what) +
            " (another speed, or bodies that are less unlike)";
+  }
+  return {};
+}
+
+std::string without_hint(std::string_view message) {
+  constexpr std::array<std::string_view, 3> hints{" (use a smaller step)", " (use fewer nodes)",
+                                                  " (use a larger step)"};
+  for (const std::string_view hint : hints) {
+    const std::size_t at = message.rfind(hint);
+    if (at != std::string_view::npos && at + hint.size() == message.size()) return std::string(message.substr(0, at));
   }
   return {};
 }

@@ -10,6 +10,8 @@
 
 #include "check.hpp"
 #include "contact/touch.hpp"
+#include "contact/unit_ratios.hpp"
+#include "impact/possible_modes.hpp"
 #include "impact/recommended.hpp"
 #include "impact/whole_bodies.hpp"
 #include "restitution/curvature.hpp"
@@ -53,10 +55,15 @@ int lowest_level(const RefinableContact& contact, const Vibration& vibration, co
   for (int level = levels.lowest; level <= levels.highest; ++level) {
     if (keeps(at_level(contact, level, poll), vibration)) return level;
   }
-  throw InvalidInput("vibration: there is a mode above " +
-                     shown(0.01 * std::floor(100.0 * contact.cutoff(levels.highest))) +
-                     " c/R, the most that is computed at this speed, or one that the body does not have (let fewer "
-                     "modes vibrate)");
+  const Contact& finest = at_level(contact, levels.highest, poll);
+  for (const Oscillation& mode : vibration) {
+    require_possible(finest, mode);
+    if (keeps(finest, {mode})) continue;
+    throw InvalidInput("vibration: got " + named(mode) + ", allowed modes that it has up to " +
+                       shown_most(contact.cutoff(levels.highest)) +
+                       " c/R, the most that is computed at this speed (let fewer modes vibrate)");
+  }
+  return levels.highest;
 }
 
 /// Initial energy over that of the translation.
@@ -159,8 +166,10 @@ RestitutionNotConverged::RestitutionNotConverged(Restitution result)
 
 void validate(const RefinableContact& contact, double speed, const Vibration& vibration, const Poll& poll) {
   require_speed(speed);
-  const Levels levels = contact.levels(speed, room_to_last, poll);
-  (void)approach(at_level(contact, lowest_level(contact, vibration, levels, poll), poll), speed, vibration);
+  of_own_choice([&] {
+    const Levels levels = contact.levels(speed, room_to_last, poll);
+    (void)approach(at_level(contact, lowest_level(contact, vibration, levels, poll), poll), speed, vibration);
+  });
 }
 
 namespace {
@@ -224,7 +233,7 @@ Restitution refined(const RefinableContact& contact, double speed, const Restitu
   }
   if (result.runs.size() < 2) {
     const std::string none = contact.at(0).unbounded
-                                 ? "'" + contact.at(0).second->name + "' has more waves than are computed"
+                                 ? "'" + short_name(*contact.at(0).second) + "' has more waves than are computed"
                                  : "fewer than two cutoffs could be computed";
     throw NotConverged(trouble.empty() ? "restitution: " + none : trouble);
   }

@@ -128,7 +128,7 @@ RestitutionFunction restitution_function(const RefinableContact& contact, double
     std::vector<Request> requests;
     requests.reserve(speeds.size());
     for (const double speed : speeds) requests.push_back({&contact, speed});
-    const auto place = [&speeds](std::size_t i) { return "speed " + shown(speeds[i]) + " c"; };
+    const auto place = [&speeds](std::size_t i) { return "speed " + rounded(speeds[i]) + " c"; };
     return computed_values(requests, options.error, share_of_values, options.threads, options.poll, place);
   };
   return restitution_function(computed, slowest, fastest, options);

@@ -63,7 +63,8 @@ class Pairs {
       requests.push_back({&contacts_.at(s), speeds_.speed(logarithm)});
     }
     const auto named = [&](std::size_t i) {
-      return "speed " + shown(speeds_.speed(places[i][0])) + " c and the ratio " + shown(ratios_.ratio(places[i][2]));
+      return "speed " + rounded(speeds_.speed(places[i][0])) + " c and the ratio " +
+             rounded(ratios_.ratio(places[i][2]));
     };
     const std::vector<Estimate> found =
         computed_values(requests, options_.error, share_of_pairs, options_.threads, options_.poll, named);

@@ -153,7 +153,7 @@ struct PairTable::Data {
       const bool of_speed = !(speed >= values.speeds.front() && speed <= values.speeds.back());
       const std::vector<double>& range = of_speed ? values.speeds : values.ratios;
       throw InvalidInput((of_speed ? "speed: got " + shown(speed) : "ratio: got " + shown(ratio)) + ", allowed " +
-                         shown(range.front()) + " to " + shown(range.back()) +
+                         shown_least(range.front()) + " to " + shown_most(range.back()) +
                          (values.alike && !of_speed ? " or inverse" : "") +
                          " (the range for which the table was made)");
     }

@@ -91,7 +91,7 @@ class Sequence {
   /// The next impact, and the flight after it.
   Bounce advance(Impact& impact) {
     if (!(speed_ >= slowest && speed_ <= fastest)) {
-      throw NotConverged("bounce: the speed after impact " + std::to_string(number_) + " is " + shown(speed_) +
+      throw NotConverged("bounce: the speed after impact " + std::to_string(number_) + " is " + rounded(speed_) +
                          " c, allowed 1e-8 to 1 (the impacts before are done)");
     }
     Bounce bounce{.number = ++number_, .speed = speed_, .short_flight = beginning_.short_flight};

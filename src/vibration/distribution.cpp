@@ -57,9 +57,7 @@ void validate(const RefinableContact& contact, double speed, const Spectrum& spe
   require("error", options.error, {1e-9, 0.5, true, true, "1e-9 to 0.5"}, "absolute error of 1 - eps^2");
   require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
   const Vibration any = draw(spectrum, options.seed, 0);
-  int level = 0;
-  while (level < contact.highest_level() && !keeps(contact.at(level, options.poll), any)) ++level;
-  static_cast<void>(approach(contact.at(level, options.poll), speed, any));
+  validate(contact, speed, any, options.poll);
 }
 
 void restitution_distribution(const RefinableContact& contact, double speed, const Spectrum& spectrum,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -10,6 +11,7 @@
 
 #include "check.hpp"
 #include "numeric/random.hpp"
+#include "restitution/own_choice.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -20,38 +22,90 @@ constexpr Range energies{0.0, 1e6, true, true, "0 to 1e6"};
 /// Levels of the ladder above the modes that vibrate, for `restitution` to have three cutoffs.
 constexpr int levels_above = 6;
 
+/// Whether a body is there, and known, as a whole, and deforms.
+bool can_vibrate(const Body& body) { return is_whole(body) && !is_known_at_a_point(body) && body.softness > 0.0; }
+
+/// What may be asked for as the highest frequency of a thermal spectrum, level by level.
+class Allowed {
+ public:
+  Allowed(const RefinableContact& contact, const Poll& poll)
+      : contact_(contact), poll_(poll), loss_(longest_loss_time(contact.at(0, poll))) {
+    const Contact& probe = contact.at(0, poll);
+    if (!can_vibrate(*probe.first) && (probe.second == nullptr || !can_vibrate(*probe.second))) {
+      throw InvalidInput(
+          "temperature: got bodies without modes that vibrate, allowed bodies that have some (no rigid "
+          "body, nothing without end, and nothing that is known at a point only)");
+    }
+  }
+
+  [[nodiscard]] double greatest() const { return kept(std::max(0, contact_.highest_level() - levels_above)); }
+
+  /// With all modes up to a frequency, and perhaps more.
+  [[nodiscard]] const Contact& with(double highest) const {
+    int level = 0;
+    while (kept(level) < highest) ++level;
+    return contact_.at(level, poll_);
+  }
+
+ private:
+  [[nodiscard]] double kept(int level) const { return kept_cutoff(contact_.cutoff(level), loss_); }
+
+  const RefinableContact& contact_;
+  const Poll& poll_;
+  double loss_;
+};
+
+void for_each_mode(const Contact& contact,
+                   const std::function<void(int body, const ModeGroup& group, std::size_t l)>& visit) {
+  for (std::size_t g = 0; g < contact.groups.size(); ++g) {
+    const int number = g < contact.first_groups ? 0 : 1;
+    const Body& body = number == 0 ? *contact.first : *contact.second;
+    if (!can_vibrate(body)) continue;
+    for (std::size_t l = 0; l < contact.groups[g].omega.size(); ++l) visit(number, contact.groups[g], l);
+  }
+}
+
+/// Infinite where there is none.
+double lowest_mode(const Contact& contact) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for_each_mode(contact,
+                [&lowest](int, const ModeGroup& group, std::size_t l) { lowest = std::min(lowest, group.omega[l]); });
+  return lowest;
+}
+
 }  // namespace
+
+double usual_highest(const RefinableContact& contact, const Poll& poll) {
+  constexpr double usual = 10.0;
+  return of_own_choice([&] {
+    const Allowed allowed(contact, poll);
+    const double greatest = allowed.greatest();
+    if (greatest <= usual || lowest_mode(allowed.with(usual)) <= usual) return std::min(usual, greatest);
+    const double lowest = lowest_mode(allowed.with(greatest));
+    return lowest <= greatest ? lowest : greatest;
+  });
+}
 
 Spectrum thermal(const RefinableContact& contact, double temperature, double highest, const Poll& poll) {
   require("temperature", temperature, energies, "k_B T over the translational energy");
-  const double loss = longest_loss_time(contact.at(0, poll));
-  const auto kept = [&](int level) { return kept_cutoff(contact.cutoff(level), loss); };
-  const int top = std::max(0, contact.highest_level() - levels_above);
-  require("highest", highest, {0.0, kept(top), false, true, "above 0 to " + shown(kept(top))},
-          "frequency up to which modes vibrate, in c/R of the first body; 10 where none is given");
-  int level = 0;
-  while (kept(level) < highest) ++level;
-
-  const Contact& resolved = contact.at(level, poll);
+  const Allowed allowed(contact, poll);
+  const double greatest = allowed.greatest();
+  require("highest", highest, {0.0, greatest, false, true, "above 0 to " + shown_most(greatest)},
+          "frequency up to which modes vibrate, in c/R of the first body");
   Spectrum spectrum;
-  double lowest = std::numeric_limits<double>::infinity();
-  for (std::size_t g = 0; g < resolved.groups.size(); ++g) {
-    const bool second = g >= resolved.first_groups;
-    if (!is_whole(second ? *resolved.second : *resolved.first)) continue;
-    const ModeGroup& group = resolved.groups[g];
-    for (std::size_t l = 0; l < group.omega.size(); ++l) {
-      lowest = std::min(lowest, group.omega[l]);
-      if (group.omega[l] > highest) continue;
-      const int index = group.index.empty() ? static_cast<int>(l) : group.index[l];
-      spectrum.push_back({second ? 1 : 0, group.order, index, temperature});
-    }
+  const Contact& resolved = of_own_choice([&]() -> const Contact& { return allowed.with(highest); });
+  for_each_mode(resolved, [&](int body, const ModeGroup& group, std::size_t l) {
+    const int index = group.index.empty() ? static_cast<int>(l) : group.index[l];
+    if (group.omega[l] <= highest) spectrum.push_back({body, group.order, index, temperature});
+  });
+  if (!spectrum.empty()) return spectrum;
+  const double lowest = lowest_mode(allowed.with(greatest));
+  if (lowest > greatest) {
+    throw InvalidInput("temperature: got bodies without modes that vibrate up to " + shown_most(greatest) +
+                       " c/R, allowed bodies that have some");
   }
-  if (spectrum.empty()) {
-    throw InvalidInput("highest: got " + shown(highest) + ", allowed " +
-                       (std::isfinite(lowest) ? "from " + shown(lowest) + ", the lowest mode, to " + shown(kept(top))
-                                              : "bodies that have modes at such frequencies"));
-  }
-  return spectrum;
+  throw InvalidInput("highest: got " + shown(highest) + ", allowed from " + shown_least(lowest) +
+                     ", the lowest mode, to " + shown_most(greatest));
 }
 
 std::vector<double> frequencies(const RefinableContact& contact, const Spectrum& spectrum, const Poll& poll) {

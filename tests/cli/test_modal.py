@@ -90,3 +90,38 @@ def test_what_is_kept_ends_where_modes_are_known(stoss, against):
     assert 1.3 < number(body, "cutoff") <= 1.36
     if against != "same":  # which does not come back
         stoss.data(f"bounce --body @{FILES}/bar.json --speed 0.5 --against {against} --count 2 --flight-time 1")
+
+
+@pytest.mark.parametrize("file", ["bell", "bat_30"])
+def test_a_ball_that_vibrates_meets_a_body_whose_curvatures_differ(stoss, file):
+    """It begins where the ball and the other curvatures do not touch yet: "the body already touches the wall"."""
+    ball = ("restitution --body sphere --poisson 0.3 --radius 0.05 --young 1e9 --density 1000 --speed 0.05 "
+            f"--against @{FILES}/{file}.json")
+    still, = json.loads(stoss.run(ball, "--format json").stdout)["records"]
+    moved, = json.loads(stoss.run(ball, "--format json --mode 2,0,energy=1e-10").stdout)["records"]
+    errors = still["restitution_error"] + moved["restitution_error"]
+    assert abs(moved["restitution"] - still["restitution"]) <= errors
+    assert moved["restitution_error"] < 2 * still["restitution_error"] + 1e-6
+
+
+@pytest.mark.parametrize("words", ["restitution --mode 0,2,energy=0.1", "distribution --spectrum 0,2,energy=0.1"])
+def test_what_is_known_at_a_point_does_not_vibrate_before(stoss, words):
+    result = stoss.run(words, f"--body @{FILES}/bell.json --speed 0.1 --against wall")
+    assert result.returncode == 3
+    assert result.stderr.startswith("stoss: error: vibration: got a mode of 'bell', allowed modes of bodies that are known")
+
+
+@pytest.mark.parametrize("words, said", [
+    # what is taken where none is given is not refused, and neither is a value in other units
+    ("impact --body @{}/beam_30.json --against sphere,poisson=-0.082,radius=0.167,young=3030000,density=3630 --speed 0.07", ""),
+    ("distribution --body sphere --material brass --radius 0.002 --rigid-body --against half-space,material=PMMA --speed 0.1 "
+     "--temperature 1e-3", "temperature: got bodies without modes that vibrate"),
+    ("oblique --body rod --material brass --length 0.1 --area 1e-5 --speed 1 --friction 0 --spin 0.04",
+     "spin: got one that is not 0, allowed only 0"),
+    ("oblique --body rod --material brass --length 0.1 --area 1e-5 --speed 1 --friction 0.1",
+     "friction: not available for 'rod', but"),
+    ("restitution --body @{}/beam_30.json --against half-space,material=ice --speed 0.1", "'beam struck at x = 30 mm'"),
+])  # fmt: skip
+def test_no_message_is_of_what_was_not_given(stoss, words, said):
+    result = stoss.run(words.format(FILES))
+    assert said in result.stderr if said else result.returncode == 0, result.stderr

@@ -92,7 +92,7 @@ TEST(Ladder, RefusesBodiesThatItCannotRefine) {
   test::expect_refusal([] { RefinableContact none(disk(0.33), BodyMaker{}); }, {"against"});
   test::expect_refusal([] { RefinableContact none(disk(0.33), rod()); }, {"against", "rod", "disk"});
   test::expect_refusal([] { RefinableContact none(only_whole(0.33, 1.0), only_whole(0.33, 60.0)); },
-                       {"against", "radius=60", "at most 52 times"});
+                       {"against: got 'disk' of 60 times the R/c of 'disk'", "at most 52 times"});
   EXPECT_NO_THROW(RefinableContact(only_whole(0.33, 1.0), only_whole(0.33, 52.0)));
   test::expect_refusal([] { RefinableContact none(only_whole(0.33, 1.0), only_whole(0.33, 53.0)); }, {"52 times"});
 }
@@ -101,7 +101,7 @@ TEST(Ladder, ImpactsAtAnAngleNeedWholeBodies) {
   EXPECT_GE(RefinableContact(disk(0.33), disk({.poisson = 0.33, .radius = 170.0})).highest_whole_level(), 2);
   const RefinableContact unequal(disk(0.33), disk({.poisson = 0.33, .radius = 300.0}));
   test::expect_refusal([&] { (void)unequal.highest_whole_level(); },
-                       {"against", "radius=300", "at an angle", "176 times"});
+                       {"against: got 'disk' of 300 times the R/c of 'disk'", "at an angle", "176 times"});
 }
 
 }  // namespace

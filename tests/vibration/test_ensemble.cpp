@@ -68,6 +68,7 @@ TEST(ThermalSpectrum, RefusesWhatItCannotMean) {
     test::expect_refusal([&] { (void)thermal(body, 0.1, bad); }, {"highest", "128"});
   }
   test::expect_refusal([&] { (void)thermal(body, 0.1, 0.5); }, {"highest: got 0.5", "lowest mode"});
+  EXPECT_EQ(usual_highest(body), 10.0);
   test::expect_refusal([&] { (void)thermal(RefinableContact(rigid(disk(0.33)), rigid(disk(0.33))), 0.1, 10.0); }, {});
 }
 

@@ -33,6 +33,10 @@ using Spectrum = std::vector<MeanEnergy>;
 [[nodiscard]] Spectrum thermal(const RefinableContact& contact, double temperature, double highest,
                                const Poll& poll = {});
 
+/// Frequency up to which modes vibrate where none is given, c/R of the first body: 10, the lowest mode where that is
+/// higher, or what `thermal` allows where that is less. @throws what the makers and poll throw
+[[nodiscard]] double usual_highest(const RefinableContact& contact, const Poll& poll = {});
+
 /// Frequency of each mode of a spectrum, c/R of the first body. @throws what the makers and poll throw
 [[nodiscard]] std::vector<double> frequencies(const RefinableContact& contact, const Spectrum& spectrum,
                                               const Poll& poll = {});

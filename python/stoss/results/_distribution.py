@@ -139,7 +139,7 @@ def restitution_distribution(
     poisson: float | None = None,
     temperature: float | None = None,
     spectrum: Spectrum | None = None,
-    highest: float = 10.0,
+    highest: float | None = None,
     samples: int = 1000,
     seed: int = 0,
     error: float = 1e-3,
@@ -157,8 +157,9 @@ def restitution_distribution(
         spectrum (callable, Oscillation, sequence of them or ndarray): In place of `temperature`:
             the mean energies, 0 to 1e6, of the same modes as a function of ω in c/R of the first
             body; or modes with their mean energies, whose phases do not count.
-        highest: Modes up to this frequency vibrate, c/R of the first body; at a wall to 128.
-            Without a limit a warm classical body would have no finite energy.
+        highest: Modes up to this frequency vibrate, c/R of the first body; at a wall to 128. If
+            None, up to 10, where the bodies allow it. Without a limit a warm classical body would
+            have no finite energy.
         samples: How many impacts, 1 to 10⁶.
         seed: Each seed gives another ensemble. Sample k depends only on the seed, k and the modes.
         error: Error of 1 − ε² of each impact to reach, 1e-9 to 0.5.
@@ -174,11 +175,12 @@ def restitution_distribution(
     initial = number("speed", speed) / speed_unit(chosen)
     met = choose_against(chosen, against, (HardWall,))
     count, chance, threads = integer("samples", samples), integer("seed", seed), integer("threads", threads)
-    limit, top = number("error", error), number("highest", highest)
+    limit = number("error", error)
     if chance < 0:
         raise refusal("seed", seed, "0 to 2147483647")
     warmth = None if temperature is None else number("temperature", temperature)
     contact = refinable(chosen, met)
+    top = _core.usual_highest(contact) if highest is None else number("highest", highest)
     means = _choose_spectrum(contact, warmth, spectrum, top)
     with speeds_in_si(chosen):
         _core.check_distribution(contact, initial, means, count, chance, limit, threads)

@@ -75,7 +75,7 @@ Body made(const Solid& given, double cutoff, double duration, Direction directio
   const double loss_time = given.own_loss_time(), highest = kept_cutoff(cutoff, loss_time);
   const double most = cutoff_of_count(medium, most_waves, duration);
   if (highest > most) {
-    throw InvalidInput("cutoff: got " + shown(cutoff) + " of a half-space for contacts of " + shown(duration) +
+    throw InvalidInput("cutoff: got " + rounded(cutoff) + " of a half-space for contacts of " + rounded(duration) +
                        " in its own time, allowed a smaller product (more waves than are computed)");
   }
   Body body = unbounded_body(medium, cutoff, loss_time, duration);

@@ -39,7 +39,7 @@ void require_friction(bool mixing, const AxisRange& speeds, const RuleTableOptio
   require("friction", *options.friction, {0.0, 5.0, false, true, "above 0 to 5"}, "coefficient of Coulomb's law");
   const double most = (1.0 - gross_slip) / (1.0 + gross_slip) / *options.friction;
   if (speeds.high > most) {
-    throw InvalidInput("speed: got up to " + shown(speeds.high) + " c, allowed up to " + shown(most) +
+    throw InvalidInput("speed: got up to " + shown(speeds.high) + " c, allowed up to " + shown_most(most) +
                        " c (1/9 of c over the friction: beyond, nothing slides throughout below c)");
   }
 }
@@ -75,7 +75,7 @@ RuleTable made(const std::function<RefinableContact(double)>& contact, const Rul
   RuleTable table(std::move(values), options.beyond);
   const auto require_reached = [](const char* name, double reached, double allowed) {
     if (reached <= allowed) return;
-    throw NotConverged("rule_table: the errors add up to " + shown(reached) + " (allow a larger " + name + ")");
+    throw NotConverged("rule_table: the errors add up to " + rounded(reached) + " (allow a larger " + name + ")");
   };
   require_reached("error", table.greatest_restitution_error(), options.error);
   require_reached("tolerance", table.greatest_sliding_error(), options.tolerance);

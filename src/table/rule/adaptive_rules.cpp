@@ -59,7 +59,7 @@ RuleGrid AdaptiveRules::values(std::size_t quantity) const {
 }
 
 std::string AdaptiveRules::named(double speed, double s) const {
-  return "speed " + shown(speed) + " c" + (ranges_.is_mixture ? " and the ratio " + shown(ratio(s)) : "");
+  return "speed " + rounded(speed) + " c" + (ranges_.is_mixture ? " and the ratio " + rounded(ratio(s)) : "");
 }
 
 const RefinableContact& AdaptiveRules::contact(double s) {

@@ -55,8 +55,8 @@ std::vector<ObliqueRestitution> accurate(const RuleRequest& request, const std::
     for (const ObliqueRestitution& each : found) reached = std::max(reached, each.restitution.error);
     if (!demand.friction || reached <= demand.restitution) return found;
   }
-  throw NotConverged("oblique: at " + place + " the error of the restitution stays at " + shown(reached) +
-                     ", where the table needs " + shown(demand.restitution) + " (allow a larger error)");
+  throw NotConverged("oblique: at " + place + " the error of the restitution stays at " + rounded(reached) +
+                     ", where the table needs " + rounded(demand.restitution) + " (allow a larger error)");
 }
 
 /// Difference of a quantity between two rules, of the finest runs that both have: what runs are off by is alike then.

@@ -141,9 +141,9 @@ Rule RuleTable::operator()(double speed, double sliding, double friction, double
     throw refuse("ratio", ratio, "a positive finite ratio of radii");
   }
   const auto outside = [&](const char* name, double got, const std::vector<double>& range, const char* inverse) {
-    return refuse(
-        name, got,
-        shown(range.front()) + " to " + shown(range.back()) + inverse + " (the range for which the table was made)");
+    return refuse(name, got,
+                  shown_least(range.front()) + " to " + shown_most(range.back()) + inverse +
+                      " (the range for which the table was made)");
   };
   const RuleGrid& grid = data_->values.sliding;
   if (data_->beyond == Beyond::error && !data_->holds_speed(std::abs(speed))) {

@@ -147,7 +147,7 @@ def test_values_are_those_of_the_command(command):
         (stoss.Oscillation(2, 0, -0.1), "energy: got -0.1, allowed 0 to 1e12"),
         (stoss.Oscillation(2, 0, np.inf), "energy: got inf"),
         (stoss.Oscillation(2, 0, 0.1, np.nan), "phase: got nan"),
-        (stoss.Oscillation(2, 400, 0.1), r"vibration: (got (a )?mode|there is a mode above)"),
+        (stoss.Oscillation(2, 400, 0.1), r"vibration: got (a )?mode"),
         (stoss.Oscillation(-1, 0, 0.1), r"vibration: got (a )?mode"),
         ([RINGING, RINGING], "twice, allowed once"),
         (stoss.Oscillation(2, 0, 0.1, of=1), r"mode of body 1, allowed 0 \(a wall has no modes\)"),

@@ -166,7 +166,7 @@ def test_warnings():
         ({"angle": 90}, "angle: got 90, allowed -90 to 90"),
         ({"angle": 3, "tangential": 0.1}, "angle: got tangential and angle, allowed one of them"),
         ({"spin": [0, 2]}, "spin: got 2, allowed -1 to 1"),
-        ({"second_spin": 0.1}, "second_spin: got 0.1, allowed only 0"),
+        ({"second_spin": 0.1}, "second_spin: got one that is not 0, allowed only 0"),
         ({"friction": -0.1}, "friction: got -0.1, allowed 0 to 5"),
         ({"friction": None}, "friction: got None, allowed a number or an array of numbers"),
         ({"tolerance": 1e-9}, "tolerance: got 1e-09, allowed 1e-6 to 0.5"),

@@ -164,7 +164,7 @@ def test_vibration_before():
         ({"friction": [0.1, 0.2, 0.3]}, "friction: got 3 of them, allowed one"),
         ({"tangential": 1.5}, "tangential: got 1.5, allowed -1 to 1"),
         ({"angle": 3, "tangential": 0.1}, "angle: got tangential and angle, allowed one of them"),
-        ({"second_spin": 0.1}, "second_spin: got 0.1, allowed only 0"),
+        ({"second_spin": 0.1}, "second_spin: got one that is not 0, allowed only 0"),
         ({"friction": 6}, "friction: got 6, allowed 0 to 5"),
         ({"cutoff": -1}, "cutoff: got -1"),
         ({"nodes": 2.5}, "nodes: got 2.5"),
