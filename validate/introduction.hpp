@@ -110,9 +110,9 @@ disk on a strip, four of ten bodies rigid, three of ten plates with two or three
 30 R, every fifth impact lossy, speeds as above. No constant was fitted to them: they were drawn and
 judged once when all constants were fixed; those of the force had been chosen on the 46 above and on
 129 others. Three impacts with cutoffs 24, 34 and 48, or 24 and 34 where the last takes long, and
-plates for 1.2, 1.35 and 1.1 times as long a contact. Left out are those that stay for longer than is computed, and those
-of more than three seconds of processor time. `stoss_validate --make-unseen-plate-reference FILE`
-makes the file anew.
+plates for 1.2, 1.35 and 1.1 times as long a contact. Left out are those that stay for longer than
+is computed, and those of more than three seconds of processor time. `stoss_validate
+--make-unseen-plate-reference FILE` makes the file anew.
 
 `validate/data/reference_modal.csv`: spheres that are given by their modes at a point, 64 spread by
 a quasi-random sequence: Poisson's ratios from 0 to 0.47, speeds from 10⁻⁶ to 0.03, modes up to 4 to

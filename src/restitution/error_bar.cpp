@@ -166,7 +166,7 @@ double convergence_order(const Contact& contact) {
 }
 
 void conclude(const Contact& contact, double speed, const CurvatureCorrection& correction, Restitution& result) {
-  constexpr double focus = 0.6;          // a wave that a disk brings back to its edge is a short peak
+  constexpr double focus = 0.6;          // a wave that comes back to the edge of a disk, or was there, is a short peak
   constexpr double roughness = 0.05;     // of the force of balls, from what of the unresolved energy may come back
   constexpr double ripple = 0.005;       // of a force that begins with a jump, in its mean (FlatForce)
   constexpr double blur = 0.5;           // of the period of that ripple, in which such a force ends
@@ -194,10 +194,10 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
   const double steps = last.resolution.step / last.impulse_time;
   const double of_parts = (at_a_point ? 1.0 : squared_step * steps) * last.resolution.step;
   result.impulse_time = estimate(smooth, &Run::impulse_time, last.impulse_time > 0.0 ? of_parts : 0.0);
-  const bool circle = touch(contact).circle;
-  const double amplitude = circle ? roughness * std::sqrt(rebound(contact, last) * returned(contact)) : focus;
+  const bool calm = touch(contact).circle && translation_before(result.finest.energy) == 1.0;  // balls at rest inside
+  const double amplitude = calm ? roughness * std::sqrt(rebound(contact, last) * returned(contact)) : focus;
   const double beyond = std::max(amplitude * std::sqrt(std::max(0.0, last.unresolved)), at_a_point ? ripple : 0.0);
-  const Bar& of_force = circle && contact.unbounded ? rougher : rough;
+  const Bar& of_force = calm && contact.unbounded ? rougher : rough;
   result.max_force = estimate(of_force, &Run::max_force, beyond * last.max_force);
   const double missing = turn * last.unresolved + (at_a_point ? 0.0 : node_error(contact, last));
   result.max_compression = estimate(smooth, &Run::max_compression, missing * std::abs(last.max_compression));
