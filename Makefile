@@ -104,10 +104,10 @@ results: setup python ## the tables and the figures of docs/results/
 docs: setup python web ## the documentation site: build/docs/index.html
 	@scripts/docs.sh $(JOBS)
 
-paper: setup python ## reproduce the whole paper, in a minute: out/paper/report.html
+paper: setup python ## reproduce the whole paper, in 40 s of processor time: out/paper/report.html
 	@PYTHONPATH=studies build/venv/bin/python -m gerl_zippelius_1999 --output out/paper
 
-paper-quick: setup python ## the same, coarser, in half a minute: out/paper-quick/report.html
+paper-quick: setup python ## the same, coarser, in half of that: out/paper-quick/report.html
 	@PYTHONPATH=studies build/venv/bin/python -m gerl_zippelius_1999 --quick --output out/paper-quick
 
 format: setup ## format all sources

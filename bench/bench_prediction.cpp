@@ -12,8 +12,8 @@ constexpr double drop_speed = 1.0;  // m/s
 
 const stoss::Encounter& steel_on_steel() {
   static const stoss::Encounter made = stoss::encounter_from_json(
-      R"({"first": {"kind": "sphere", "radius": 0.01, "material": "structural steel"},
-          "against": {"kind": "half-space", "material": "structural steel"}})");
+      R"({"first": {"kind": "sphere", "radius": 0.01, "material": "bearing steel"},
+          "against": {"kind": "half-space", "material": "bearing steel"}})");
   return made;
 }
 

@@ -74,7 +74,7 @@ def main(arguments: list[str] | None = None) -> int:
         epilog="The report shows all items whose results are there; ITEMs limit what is computed.",
     )  # fmt: skip
     parser.add_argument("items", nargs="*", metavar="ITEM", help="such as figure_05, 5, table_1 (default: all)")
-    parser.add_argument("--quick", action="store_true", help="coarser, in about a minute")
+    parser.add_argument("--quick", action="store_true", help="coarser, in half the time")
     parser.add_argument("--output", metavar="DIR", type=Path, help="default: out/paper, with --quick out/paper-quick")
     options = parser.parse_args(arguments)
     there = [item for item in ITEMS if (store.PACKAGE / f"{item}.py").is_file()]
