@@ -34,12 +34,13 @@ Legendre legendre(int n, const Lanes& x) {
   return {value, slope};
 }
 
-GaussRule made(int nodes) {
+GaussRule made(int nodes, const Poll& poll) {
   GaussRule rule;
   rule.node.resize(static_cast<std::size_t>(nodes));
   rule.weight.resize(rule.node.size());
   const auto count = static_cast<std::size_t>((nodes + 1) / 2);
   for (std::size_t first = 0; first < count; first += lanes) {
+    if (poll) poll();
     Lanes x;
     for (std::size_t l = 0; l < lanes; ++l) {
       const auto i = static_cast<double>(std::min(first + l, count - 1));
@@ -71,10 +72,10 @@ GaussRule made(int nodes) {
 
 }  // namespace
 
-const GaussRule& gauss_legendre(int nodes) {
+const GaussRule& gauss_legendre(int nodes, const Poll& poll) {
   thread_local std::map<int, GaussRule> known;
   const auto found = known.find(nodes);
-  return found != known.end() ? found->second : known.emplace(nodes, made(nodes)).first->second;
+  return found != known.end() ? found->second : known.emplace(nodes, made(nodes, poll)).first->second;
 }
 
 }  // namespace stoss::numeric

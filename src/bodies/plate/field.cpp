@@ -15,6 +15,7 @@
 #include "bodies/field_arguments.hpp"
 #include "bodies/plate/given.hpp"
 #include "bodies/plate/plate_waves.hpp"
+#include "bodies/plate/wave_numbers.hpp"
 #include "bodies/plate/wave_profiles.hpp"
 #include "bodies/surface/profile_sum.hpp"
 #include "bodies/surface/residual.hpp"
@@ -96,7 +97,7 @@ PlateField::Parts::Parts(const Given& given, const Body& body, const ContactPoin
 
 void PlateField::Parts::add_kept(const Given& given, const Lamina& plate, const Body& body, const Poll& poll) {
   const double cutoff = kept_cutoff(body);
-  const std::vector<WaveNumber> kept = wave_numbers(plate, cutoff, body.part.echo);
+  const std::vector<WaveNumber> kept = wave_numbers(plate, cutoff, body.part.echo, poll);
   const std::vector<ModeGroup> waves = checked_waves(given, body, kept);
   const ProfileMaker make(plate, points.depth);
   for (std::size_t g = 0; g < waves.size(); ++g) {

@@ -12,6 +12,7 @@
 #include "bodies/plate/given.hpp"
 #include "bodies/plate/plate_waves.hpp"
 #include "bodies/plate/strain.hpp"
+#include "bodies/plate/wave_numbers.hpp"
 #include "bodies/sphere/degree_sums.hpp"
 #include "bodies/surface/wave_body.hpp"
 #include "check.hpp"

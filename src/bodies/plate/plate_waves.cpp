@@ -8,12 +8,10 @@
 #include <utility>
 
 #include "bodies/plate/branches.hpp"
-#include "numeric/gauss_legendre.hpp"
+#include "bodies/plate/wave_numbers.hpp"
 
 namespace stoss::bodies::plate {
 namespace {
-
-constexpr double share_of_duration = 0.9;  // for which the quadratures hold
 
 /// Frequencies of modes at the last wave numbers, as far as they tell those at the next.
 class Track {
@@ -62,21 +60,6 @@ void add(const Flexibility& more, Flexibility& sum) {
   sum.tangential += more.tangential;
 }
 
-/// The layers that waves with ω ≤ cutoff reach from the upper face: deeper ones, in which slower waves may run, move
-/// this face by less than rounding.
-Sheets reached(const Sheets& part, double k, double cutoff) {
-  constexpr double negligible = 20.0;  // e^−20 there, e^−40 in what a load on the face sees
-  double decay = 0.0;
-  for (std::size_t i = 0; i + 1 < part.all.size(); ++i) {
-    const Sheet& sheet = part.all[i];
-    const double along = k * k - cutoff * cutoff * sheet.density / sheet.shear_modulus;
-    decay += sheet.thickness * std::sqrt(std::max(along, 0.0));
-    if (decay < negligible) continue;
-    return {{part.all.begin(), part.all.begin() + static_cast<std::ptrdiff_t>(i + 1)}, Floor::free, part.share};
-  }
-  return part;
-}
-
 PlaneWaves waves_of(const Lamina& plate, const WaveNumber& number, double cutoff, Tracks& tracks) {
   const double weight = plate.weight(number.k) * number.weight;
   PlaneWaves waves{number.k, number.weight, {}, {}, {}, {}, {}};
@@ -113,40 +96,6 @@ double sum_across(const Lamina& plate, double k, const Response& response) {
   return sum;
 }
 
-bool has_modes(const Lamina& plate, double k, double cutoff) {
-  const std::vector<Sheets>& parts = plate.parts(k);
-  return std::any_of(parts.begin(), parts.end(), [&](const Sheets& part) {
-    const Sheets its = reached(part, k, cutoff);
-    return count_below<2>(its, k, cutoff) > 0 || count_below<1>(its, k, cutoff) > 0;
-  });
-}
-
-/// A range of wave numbers, and what bounds the speed of energy in it.
-struct Panel {
-  double begin, end, speed;
-};
-
-/// With ω ≤ cutoff. In layers in which no waves run, energy is no faster than 2ω/k. The speed stands for the distance,
-/// too, over which the shapes of waves turn: that of the contact's points, which shear waves cross in a fifth of the
-/// time.
-std::vector<Panel> panels(const Lamina& plate, double cutoff) {
-  const double pressure = cutoff / plate.pressure_speed, shear = cutoff / plate.shear_speed;
-  const double last = highest_kept(plate, cutoff);
-  std::vector<Panel> all{{0.0, pressure, plate.pressure_speed}, {pressure, shear, plate.shear_speed}};
-  constexpr double unlike = 16.0, across = 0.2;
-  if (plate.sheets.size() == 1 || last < unlike * shear) {
-    // Where modes slower than the shear waves are all that is kept, they carry energy no faster than these.
-    all.push_back({shear, last, plate.shear_speed});
-    return all;
-  }
-  for (double begin = shear; begin < last;) {
-    const double end = last < 3.0 * begin ? last : 2.0 * begin;
-    all.push_back({begin, end, std::clamp(2.0 * cutoff / begin, across * plate.shear_speed, plate.shear_speed)});
-    begin = end;
-  }
-  return all;
-}
-
 }  // namespace
 
 double Lamina::weight(double wave_number) const {
@@ -167,37 +116,10 @@ Lamina lamina(Contour contour, std::vector<Sheet> sheets) {
   return plate;
 }
 
-double highest_kept(const Lamina& plate, double cutoff) {
-  double high = cutoff / plate.shear_speed;
-  while (has_modes(plate, high, cutoff)) high *= 2.0;
-  double low = 0.5 * high;
-  constexpr double close = 1e-9;
-  while (high - low > close * high) {
-    const double middle = 0.5 * (low + high);
-    (has_modes(plate, middle, cutoff) ? low : high) = middle;
-  }
-  return high;
-}
-
-std::vector<WaveNumber> wave_numbers(const Lamina& plate, double cutoff, double duration) {
-  constexpr double surplus = 1.1, more = 8.0;
-  const double time = share_of_duration * duration;
-  std::vector<WaveNumber> all;
-  for (const auto& [begin, end, speed] : panels(plate, cutoff)) {
-    const double middle = 0.5 * (begin + end), half = 0.5 * (end - begin);
-    const double phase = surplus * 2.0 * half * speed * time;
-    const auto& rule = numeric::gauss_legendre(static_cast<int>(std::ceil(0.25 * phase + more)));
-    for (std::size_t i = 0; i < rule.node.size(); ++i) {
-      all.push_back({middle + half * rule.node[i], half * rule.weight[i]});
-    }
-  }
-  return all;
-}
-
 std::vector<PlaneWaves> plane_waves(const Lamina& plate, double cutoff, double duration, const Poll& poll) {
   Tracks tracks;
   std::vector<PlaneWaves> all;
-  for (const WaveNumber& number : wave_numbers(plate, cutoff, duration)) {
+  for (const WaveNumber& number : wave_numbers(plate, cutoff, duration, poll)) {
     if (poll) poll();
     all.push_back(waves_of(plate, number, cutoff, tracks));
   }

@@ -31,17 +31,6 @@ struct Lamina {
 
 [[nodiscard]] Lamina lamina(Contour contour, std::vector<Sheet> sheets);
 
-/// A wave number of a quadrature, and its weight.
-struct WaveNumber {
-  double k, weight;
-};
-
-/// Those of which waves with ω ≤ cutoff are kept, for times up to 0.9 duration. The last is below highest_kept.
-[[nodiscard]] std::vector<WaveNumber> wave_numbers(const Lamina& plate, double cutoff, double duration);
-
-/// Wave number above which no modes are below the cutoff.
-[[nodiscard]] double highest_kept(const Lamina& plate, double cutoff);
-
 /// Modes of pressure and vertically polarised shear waves, which move the surface along its normal and along k.
 [[nodiscard]] std::vector<PlaneWaves> plane_waves(const Lamina& plate, double cutoff, double duration,
                                                   const Poll& poll);

@@ -6,6 +6,7 @@
 
 #include "bodies/plate/depth_response.hpp"
 #include "bodies/plate/plate_waves.hpp"
+#include "bodies/plate/wave_numbers.hpp"
 
 namespace stoss::bodies::plate {
 

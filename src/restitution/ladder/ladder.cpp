@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 #include <mutex>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,105 +12,19 @@
 
 #include "check.hpp"
 #include "contact/unit_ratios.hpp"
+#include "restitution/ladder/computed_pair.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
 namespace {
 
-/// Below the modes of all bodies: at this cutoff one can be asked what it is by itself.
-constexpr double least_cutoff = 1e-6;
-
 constexpr int level_count = 25;
-constexpr int fewest_levels = 10;       // for an error
 constexpr int fewest_whole_levels = 3;  // for two runs, two levels apart
-
-double cutoff_at(int level) { return 4.0 * std::numbers::sqrt2 * std::exp2(0.25 * level); }
-
-/// The near side of a body stands for it where the whole has at least twice its size, as it is faster to compute from
-/// there on (to a tolerance of 1e-3), or where the whole has too many modes.
-constexpr double least_surplus = 2.0;
-
-/// Least size of the part, in what waves of the speed c travel within time_scale.
-constexpr double least_size = 16.0;
-
-/// Time until its first echo, over time_scale, of a part in which pressure waves are much faster; else it is longer, 60
-/// at ν = 0.33. A contact lasts 6 to 8 times time_scale at v > 0.01, and 14 times at 1e-8.
-constexpr double least_echo = 36.0;
-
-/// Duration of the shortest contacts with a half-space, over time_scale.
-constexpr double shortest_contact = 6.0;
 
 /// Levels below the highest one at which impacts with a body that is known at a point begin: the third is at that one.
 constexpr int levels_of_a_point = 6;
 constexpr int lowest_of_a_point = -40;
-
-/// Two bodies that meet.
-struct Pair {
-  BodyMaker first, second;
-  Contact probe;                               // without modes
-  double first_size = 1.0, second_size = 1.0;  // of the parts that are computed
-};
-
-Contact probed(const BodyMaker& first, const BodyMaker& second) {
-  Body one = first(least_cutoff, {});
-  const UnitRatios units(second(least_cutoff, {}), one);
-  return contact(std::move(one), second(least_cutoff * units.time, {}));
-}
-
-/// @param unit of time of the body, over time_scale
-double computed_size(const Body& body, double unit) {
-  if (is_unbounded(body)) return shortest_contact / unit;
-  if (!body.near_side) return 1.0;
-  const double largest = body.highest_cutoff / cutoff_at(fewest_levels - 1) / unit;
-  const double echo = body.near_side(1.0, least_cutoff, {}).part.echo;
-  const double size = std::min(std::max(least_size, least_echo / echo) / unit, largest);
-  return size < (largest < 1.0 ? 1.0 : 1.0 / least_surplus) ? size : 1.0;
-}
-
-Pair pair_of(const BodyMaker& first, const BodyMaker& second) {
-  Pair pair{first, second, probed(first, second)};
-  const double unit = time_scale(pair.probe);
-  pair.first_size = computed_size(*pair.probe.first, 1.0 / unit);
-  pair.second_size = computed_size(*pair.probe.second, UnitRatios(*pair.probe.second, *pair.probe.first).time / unit);
-  return pair;
-}
-
-/// Over time_scale.
-double expected_duration(const Pair& pair, double speed) {
-  return stoss::expected_duration(pair.probe, speed) / time_scale(pair.probe);
-}
-
-/// The part of a body, or the body.
-Body made(const BodyMaker& maker, const Body& probe, double size, double cutoff, const Poll& poll) {
-  return size < 1.0 || is_unbounded(probe) ? probe.near_side(size, cutoff, poll) : maker(cutoff, poll);
-}
-
-/// @param stretch of the part, where there is one; it ends with the whole
-Contact contact_of(const Pair& pair, double cutoff, double stretch, const Poll& poll) {
-  const auto size = [stretch](const Body& body, double usual) {
-    if (is_unbounded(body)) return usual * stretch;
-    return usual < 1.0 ? std::min(usual * stretch, 1.0) : 1.0;
-  };
-  const double time = UnitRatios(*pair.probe.second, *pair.probe.first).time;
-  return contact(
-      made(pair.first, *pair.probe.first, size(*pair.probe.first, pair.first_size), cutoff, poll),
-      made(pair.second, *pair.probe.second, size(*pair.probe.second, pair.second_size), cutoff * time, poll));
-}
-
-/// Highest cutoff of both bodies as wholes, c/R of the first.
-double whole_cutoff(const Pair& pair) {
-  const Body &one = *pair.probe.first, &other = *pair.probe.second;
-  return std::min(one.highest_cutoff, other.highest_cutoff / UnitRatios(other, one).time);
-}
-
-/// Highest cutoff of both bodies or of their parts, c/R of the first.
-double highest_cutoff(const Pair& pair) {
-  const Body &one = *pair.probe.first, &other = *pair.probe.second;
-  if (is_unbounded(other)) return one.highest_cutoff / pair.first_size;  // depends on the duration: highest_level
-  return std::min(one.highest_cutoff / pair.first_size,
-                  other.highest_cutoff / pair.second_size / UnitRatios(other, one).time);
-}
 
 }  // namespace
 
