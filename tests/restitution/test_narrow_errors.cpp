@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "stoss/bodies/plate.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/restitution/curve.hpp"
+#include "stoss/vibration/ensemble.hpp"
 #include "support/csv.hpp"
 #include "support/modal_sphere.hpp"
 
@@ -94,6 +96,27 @@ TEST(Errors, OfBallsThatAPlateAllButKeepsAreNarrow) {
       best_of({rigid(sphere(Sphere{.poisson = 0.0})), plate(Plate{0.593, 0.37, 1.2, 0.175})}, 0.0027);
   EXPECT_NEAR(found.lost_fraction.value, finer, found.lost_fraction.error + uncertainty);
   EXPECT_LE(found.lost_fraction.error, 2e-7);
+}
+
+// Waves that are in a ball before make peaks that coarse runs lack: its force keeps the wider error of disks.
+TEST(Errors, OfTheForceOfVibratingBallsReachTheTrueOne) {
+  std::uint64_t sample = 0;
+  for (const auto& row : test::read_csv("../../validate/data/reference_vibrating.csv")) {
+    const std::uint64_t its = sample++;
+    if (row.text("body") != "sphere") continue;
+    const BodyMaker ball = sphere(row.number("poisson"));
+    const bool alone = !row.has("against_radius");
+    const RefinableContact contact =
+        alone ? RefinableContact(ball)
+              : RefinableContact(ball, sphere(Sphere{.poisson = row.number("against_poisson"),
+                                                     .radius = row.number("against_radius"),
+                                                     .young = row.number("against_young")}));
+    const Vibration vibration = draw(thermal(contact, row.number("temperature"), row.number("highest")), 0, its);
+    const Estimate found =
+        best_restitution(contact, row.number("speed"), {.tolerance = 1e-15, .absolute = 1e-3, .vibration = vibration})
+            .max_force;
+    EXPECT_NEAR(found.value, row.number("max_force"), 3.0 * found.error + row.number("max_force_uncertainty")) << its;
+  }
 }
 
 RefinableContact against(const test::CsvRow& row, const BodyMaker& body) {
