@@ -76,9 +76,9 @@ void run(const BounceArguments& asked_for) {
   const Units units = units_of(encounter);
   const double first = parse_speed(arguments.speed, units, "that of the first impact");
   const double slowest = slowest_bounce(first);
+  catch_interrupts();
   if (!given(*arguments.command, "--cutoff")) arguments.cutoff = usual_cutoff(encounter, slowest, 20.0);
   const BounceOptions options = make_options(arguments, encounter, units);
-  catch_interrupts();
   const Contact contact = contact_of(encounter, arguments.cutoff, slowest, options.poll);
   validate(contact, first, options);
 

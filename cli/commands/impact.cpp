@@ -126,12 +126,12 @@ void run(const ImpactArguments& asked_for) {
   refuse_tail(*arguments.command, encounter);
   check_trajectory(arguments);
   const double speed = parse_speed(arguments.speed, units_of(encounter), "stoss restitution takes lists");
+  catch_interrupts();
   if (!given(*arguments.command, "--cutoff")) arguments.cutoff = usual_cutoff(encounter, speed);
   ImpactOptions options{.resolution = arguments.resolution, .poll = waiting(arguments.output, "impact")};
   options.resolution.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
   const OutputOptions& asked = arguments.output;
   Output output(asked.path);
-  catch_interrupts();
   const Contact contact = contact_of(encounter, arguments.cutoff, speed, options.poll);
   const Vibration& vibration = encounter.vibration;
   if (!vibration.empty()) options.start = approach(contact, speed, vibration);

@@ -31,8 +31,8 @@ class Search {
   using Vector = typename Branches<N>::Vector;
   using Matrix = typename Branches<N>::Matrix;
 
-  Search(const Sheets& sheets, double wave_number, const std::vector<double>& guess)
-      : sheets_(sheets), k_(wave_number), guess_(guess) {}
+  Search(const Sheets& sheets, double wave_number, const std::vector<double>& guess, const Poll& poll)
+      : sheets_(sheets), k_(wave_number), guess_(guess), poll_(poll) {}
 
   Branches<N> below(double cutoff) {
     // Well below the vibrations of the thickness, where modes hardly move the face, up to these: else what those above
@@ -60,6 +60,7 @@ class Search {
   };
 
   [[nodiscard]] Probe probe(double omega) const {
+    if (poll_) poll_();
     const auto all = stack<N>(sheets_, k_, omega * omega);
     return {omega, all.held + negative(all.stiffness), all.held};
   }
@@ -81,6 +82,7 @@ class Search {
     constexpr double apart = 1e-5;
     std::vector<Root> roots;
     for (const double guess : guess_) {
+      if (poll_) poll_();
       const double low = roots.empty() ? 0.0 : (1.0 + apart) * roots.back().omega();
       if (const std::optional<Root> root = root_from(guess, low, cutoff)) roots.push_back(*root);
     }
@@ -229,14 +231,16 @@ class Search {
   const Sheets& sheets_;
   double k_;
   const std::vector<double>& guess_;
+  const Poll& poll_;
   Branches<N> found_;
 };
 
 }  // namespace
 
 template <int N>
-Branches<N> branches(const Sheets& sheets, double wave_number, double cutoff, const std::vector<double>& guess) {
-  return Search<N>(sheets, wave_number, guess).below(cutoff);
+Branches<N> branches(const Sheets& sheets, double wave_number, double cutoff, const std::vector<double>& guess,
+                     const Poll& poll) {
+  return Search<N>(sheets, wave_number, guess, poll).below(cutoff);
 }
 
 template <int N>
@@ -255,8 +259,8 @@ Eigen::Matrix<double, N, N> static_second_moment(const Sheets& sheets, double wa
   return second(inverse(stack<N>(sheets, wave_number, Differentiable{0.0, 1.0}).stiffness));
 }
 
-template Branches<1> branches<1>(const Sheets&, double, double, const std::vector<double>&);
-template Branches<2> branches<2>(const Sheets&, double, double, const std::vector<double>&);
+template Branches<1> branches<1>(const Sheets&, double, double, const std::vector<double>&, const Poll&);
+template Branches<2> branches<2>(const Sheets&, double, double, const std::vector<double>&, const Poll&);
 template int count_below<1>(const Sheets&, double, double);
 template int count_below<2>(const Sheets&, double, double);
 template Eigen::Matrix<double, 1, 1> static_compliance<1>(const Sheets&, double);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bodies/plate/sheet.hpp"
+#include "stoss/poll.hpp"
 
 namespace stoss::bodies::plate {
 
@@ -32,7 +33,7 @@ struct Branches {
 /// @param guess frequencies near which modes may be: those of a wave number nearby, or none
 template <int N>
 [[nodiscard]] Branches<N> branches(const Sheets& sheets, double wave_number, double cutoff,
-                                   const std::vector<double>& guess);
+                                   const std::vector<double>& guess, const Poll& poll = {});
 
 /// Number of modes below a frequency.
 template <int N>

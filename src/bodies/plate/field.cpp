@@ -92,7 +92,7 @@ PlateField::Parts::Parts(const Given& given, const Body& body, const ContactPoin
   add_kept(given, plate, body, poll);
   const double top = *std::min_element(points.depth.begin(), points.depth.end());
   const double highest = std::min(std::numbers::pi / (contact.spacing * contact.radius), deepest_phase / top);
-  add_static(plate, plate::highest_kept(plate, kept_cutoff(body)), highest, poll);
+  add_static(plate, plate::highest_kept(plate, kept_cutoff(body), poll), highest, poll);
 }
 
 void PlateField::Parts::add_kept(const Given& given, const Lamina& plate, const Body& body, const Poll& poll) {

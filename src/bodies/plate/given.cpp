@@ -1,5 +1,6 @@
 #include "bodies/plate/given.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -20,6 +21,20 @@ Given given_of(const Strip& strip) {
   return {Contour::cylinder, {{strip.thickness, strip.poisson, strip.young, strip.density}}, strip.loss_time};
 }
 
+namespace {
+
+/// Of layers far less like each other the waves are too many, and the slower ones lost in rounding.
+void require_like(const Given& given, const char* name, double Layer::*number, const Range& allowed) {
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (const Layer& layer : given.layers) {
+    least = std::min(least, layer.*number);
+    most = std::max(most, layer.*number);
+  }
+  require(name, most / least, allowed, "of the largest to the smallest in the layers of the plate");
+}
+
+}  // namespace
+
 void require_given(const Given& given) {
   constexpr long most_layers = 64;
   constexpr Range positive{0.0, std::numeric_limits<double>::max(), false, true, "a positive finite number"};
@@ -33,6 +48,8 @@ void require_given(const Given& given) {
     require("young", layer.young, positive, "Young's modulus of the plate");
     require("density", layer.density, positive, "of the plate");
   }
+  require_like(given, "young ratio", &Layer::young, {1.0, 1e9, true, true, "up to 1e9"});
+  require_like(given, "density ratio", &Layer::density, {1.0, 1e6, true, true, "up to 1e6"});
   require_loss_time(given.own_loss_time());
 }
 
@@ -59,10 +76,10 @@ std::vector<Sheet> sheets_of(const Given& given, double duration) {
     sheet.pressure_modulus = given.contour == Contour::ball
                                  ? young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson))
                                  : young / (1.0 - poisson * poisson);
-    if (std::isinf(sheet.thickness)) {
-      sheet.thickness = 0.5 * duration * std::sqrt(sheet.pressure_modulus / sheet.density);
-    }
+    const double farthest = 0.5 * duration * std::sqrt(sheet.pressure_modulus / sheet.density);
+    sheet.thickness = std::min(sheet.thickness, farthest);
     sheets.push_back(sheet);
+    if (layer.thickness >= farthest) break;
   }
   return sheets;
 }

@@ -32,8 +32,8 @@ void require_given(const Given& given);
 /// With its parameters.
 [[nodiscard]] std::string name_of(const Given& given);
 
-/// In units of c and ρ of the uppermost layer. A layer without end is as thick as needed for contacts of a duration: no
-/// echo from below it is back.
+/// In units of c and ρ of the uppermost layer. Of a layer from whose lower face no echo is back in contacts of a
+/// duration, only so much is there as that takes, and nothing below it.
 [[nodiscard]] std::vector<Sheet> sheets_of(const Given& given, double duration);
 
 /// Whether waves are not back from the other face of a plate of one material before a contact ends.

@@ -62,11 +62,11 @@ struct Modes {
   }
 };
 
-Body body_along(const Body& like, const Modes& its) {
+Body body_along(const Body& like, const Modes& its, const Poll& poll) {
   Body body = like;
   const MediumSurface surface = surface_of(its.plate, its.poisson, true);
   body.softness = surface.softness;
-  set_waves(surface, waves_along(its.waves, its.plate, its.cutoff), its.highest_kept, body);
+  set_waves(surface, waves_along(its.waves, its.plate, its.cutoff, poll), its.highest_kept, body);
   return body;
 }
 
@@ -89,7 +89,7 @@ Body of_branches(const Given& given, double cutoff, double duration, const Poll&
   }
   const double poisson = given.layers.front().poisson;
   const auto modes = std::make_shared<const Modes>(
-      Modes{plate, poisson, highest, highest_kept(plate, highest), plane_waves(plate, highest, duration, poll)});
+      Modes{plate, poisson, highest, highest_kept(plate, highest, poll), plane_waves(plate, highest, duration, poll)});
   const MediumSurface surface = surface_of(plate, poisson, false);
   Body body = unbounded_body(surface, cutoff, loss_time, duration);
   body.scale = {1.0, given.speed(), given.layers.front().density};
@@ -99,7 +99,7 @@ Body of_branches(const Given& given, double cutoff, double duration, const Poll&
       return plane_bodies(like, modes->surface(), modes->waves, {Parity::normal_even, Parity::along_even});
     };
   } else {
-    body.along = [like = body, modes](const Poll&) { return std::vector<Body>{body_along(like, *modes)}; };
+    body.along = [like = body, modes](const Poll& heed) { return std::vector<Body>{body_along(like, *modes, heed)}; };
     body.outward = [like = body, modes](const Poll&) {
       return plane_bodies(like, modes->surface(), modes->waves, {Parity::normal_even}).front();
     };
@@ -108,20 +108,28 @@ Body of_branches(const Given& given, double cutoff, double duration, const Poll&
   return body;
 }
 
-/// How a plate or a strip gives way by bending, with D from that by a load of long waves, w = p/(Dk⁴).
+/// How a plate or a strip gives way by bending, with D from that by a load of long waves, w = p/(Dk⁴). One so thick
+/// that this is below all numbers does not.
 void give_way(const Given& given, BodyPart& part) {
-  const Lamina plate = lamina(given.contour, sheets_of(given, 0.0));
+  const Lamina real = lamina(given.contour, sheets_of(given, infinity));
+  // In a unit of length of which all powers below are exact, so that thick plates are far from the largest numbers.
+  const double unit = std::exp2(2.0 * std::floor(0.5 * std::log2(real.thickness)));
+  std::vector<Sheet> sheets = real.sheets;
   double mass = 0.0;
-  for (const Sheet& sheet : plate.sheets) mass += sheet.thickness * sheet.density;
+  for (Sheet& sheet : sheets) {
+    sheet.thickness /= unit;
+    mass += sheet.thickness * sheet.density;
+  }
+  const Lamina plate = lamina(given.contour, std::move(sheets));
   const double wave_number = 1e-3 / plate.thickness;
   const double stiffness =
       plate.weight(wave_number) / (std::pow(wave_number, 4) * plane_compliance(plate, wave_number).radial);
-  part.gives_way = true;
-  if (given.contour == Contour::ball) {
-    part.mobility = 1.0 / (8.0 * std::sqrt(stiffness * mass));
-  } else {
-    part.giving = 1.0 / (2.0 * mass * std::sqrt(2.0 * std::numbers::pi * std::sqrt(stiffness / mass)));
-  }
+  const double mobility = 1.0 / (8.0 * std::sqrt(stiffness * mass)) / unit / unit;
+  const double giving =
+      1.0 / (2.0 * mass * std::sqrt(2.0 * std::numbers::pi * std::sqrt(stiffness / mass))) / unit / std::sqrt(unit);
+  const bool ball = given.contour == Contour::ball;
+  part.gives_way = std::isnormal(ball ? mobility : giving);
+  if (part.gives_way) (ball ? part.mobility : part.giving) = ball ? mobility : giving;
 }
 
 Body made(const Given& given, double cutoff, double duration, const Poll& poll) {

@@ -60,14 +60,14 @@ void add(const Flexibility& more, Flexibility& sum) {
   sum.tangential += more.tangential;
 }
 
-PlaneWaves waves_of(const Lamina& plate, const WaveNumber& number, double cutoff, Tracks& tracks) {
+PlaneWaves waves_of(const Lamina& plate, const WaveNumber& number, double cutoff, Tracks& tracks, const Poll& poll) {
   const double weight = plate.weight(number.k) * number.weight;
   PlaneWaves waves{number.k, number.weight, {}, {}, {}, {}, {}};
   const std::vector<Sheets>& parts = plate.parts(number.k);
   if (tracks.size() != parts.size()) tracks.assign(parts.size(), {});
   for (std::size_t part = 0; part < parts.size(); ++part) {
     const Sheets sheets = reached(parts[part], number.k, cutoff);
-    const Branches<2> its = branches<2>(sheets, number.k, cutoff, tracks[part].ahead(number.k));
+    const Branches<2> its = branches<2>(sheets, number.k, cutoff, tracks[part].ahead(number.k), poll);
     const double share = weight * sheets.share, scale = std::sqrt(share);
     for (std::size_t m = 0; m < its.omega.size(); ++m) {
       waves.omega.push_back(its.omega[m]);
@@ -121,7 +121,7 @@ std::vector<PlaneWaves> plane_waves(const Lamina& plate, double cutoff, double d
   std::vector<PlaneWaves> all;
   for (const WaveNumber& number : wave_numbers(plate, cutoff, duration, poll)) {
     if (poll) poll();
-    all.push_back(waves_of(plate, number, cutoff, tracks));
+    all.push_back(waves_of(plate, number, cutoff, tracks, poll));
   }
   return all;
 }
@@ -141,11 +141,13 @@ std::vector<SurfaceWaves> normal_waves(const std::vector<PlaneWaves>& waves) {
   return all;
 }
 
-std::vector<SurfaceWaves> waves_along(const std::vector<PlaneWaves>& waves, const Lamina& plate, double cutoff) {
+std::vector<SurfaceWaves> waves_along(const std::vector<PlaneWaves>& waves, const Lamina& plate, double cutoff,
+                                      const Poll& poll) {
   constexpr double half = 0.5;
   Tracks tracks;
   std::vector<SurfaceWaves> all;
   for (const PlaneWaves& from : waves) {
+    if (poll) poll();
     SurfaceWaves along{from.wave_number,
                        from.weight,
                        from.omega,
@@ -157,7 +159,7 @@ std::vector<SurfaceWaves> waves_along(const std::vector<PlaneWaves>& waves, cons
     if (tracks.size() != parts.size()) tracks.assign(parts.size(), {});
     for (std::size_t part = 0; part < parts.size(); ++part) {
       const Branches<1> across = branches<1>(reached(parts[part], from.wave_number, cutoff), from.wave_number, cutoff,
-                                             tracks[part].ahead(from.wave_number));
+                                             tracks[part].ahead(from.wave_number), poll);
       const double share = half * from.weight * plate.weight(from.wave_number) * parts[part].share;
       for (std::size_t m = 0; m < across.omega.size(); ++m) {
         along.omega.push_back(across.omega[m]);

@@ -41,7 +41,7 @@ struct Lamina {
 /// The same for loads along y on rings, on average over the direction of k: half by these waves, and half by those that
 /// are polarised along the surface.
 [[nodiscard]] std::vector<SurfaceWaves> waves_along(const std::vector<PlaneWaves>& waves, const Lamina& plate,
-                                                    double cutoff);
+                                                    double cutoff, const Poll& poll);
 
 /// Static compliance of all waves of a wave number, per dk, in both directions, and Σ 1/ω⁴ in place of Σ 1/ω².
 [[nodiscard]] Flexibility plane_compliance(const Lamina& plate, double wave_number);

@@ -6,7 +6,9 @@
 #include <cstddef>
 
 #include "bodies/plate/branches.hpp"
+#include "check.hpp"
 #include "numeric/gauss_legendre.hpp"
+#include "stoss/errors.hpp"
 
 namespace stoss::bodies::plate {
 namespace {
@@ -28,9 +30,9 @@ struct Panel {
 /// the distance, too, over which the shapes of waves turn: that of the contact's points, which shear waves cross in a
 /// fifth of the time (an estimate: with a tenth or two fifths, loss, force, time and compression on five plates of
 /// unlike layers and on sheets change by less than 4·10⁻⁷).
-std::vector<Panel> panels(const Lamina& plate, double cutoff) {
+std::vector<Panel> panels(const Lamina& plate, double cutoff, const Poll& poll) {
   const double pressure = cutoff / plate.pressure_speed, shear = cutoff / plate.shear_speed;
-  const double last = highest_kept(plate, cutoff);
+  const double last = highest_kept(plate, cutoff, poll);
   std::vector<Panel> all{{0.0, pressure, plate.pressure_speed}, {pressure, shear, plate.shear_speed}};
   constexpr double unlike = 16.0, across = 0.2;
   if (last < unlike * shear) {
@@ -61,12 +63,15 @@ Sheets reached(const Sheets& part, double k, double cutoff) {
   return part;
 }
 
-double highest_kept(const Lamina& plate, double cutoff) {
+double highest_kept(const Lamina& plate, double cutoff, const Poll& poll) {
   double high = cutoff / plate.shear_speed;
-  while (has_modes(plate, high, cutoff)) high *= 2.0;
+  for (; has_modes(plate, high, cutoff); high *= 2.0) {
+    if (poll) poll();
+  }
   double low = 0.5 * high;
   constexpr double close = 1e-9;
   while (high - low > close * high) {
+    if (poll) poll();
     const double middle = 0.5 * (low + high);
     (has_modes(plate, middle, cutoff) ? low : high) = middle;
   }
@@ -74,15 +79,29 @@ double highest_kept(const Lamina& plate, double cutoff) {
 }
 
 std::vector<WaveNumber> wave_numbers(const Lamina& plate, double cutoff, double duration, const Poll& poll) {
-  constexpr double surplus = 1.1, more = 8.0;
-  const double time = share_of_duration * duration;
+  constexpr double surplus = 1.1, more = 8.0, most = 1e5;
+  constexpr double most_of_rule = 2000.0;  // which takes as their square to make
+  const auto nodes_of = [time = share_of_duration * duration](const Panel& panel) {
+    return 0.25 * surplus * (panel.end - panel.begin) * panel.speed * time;
+  };
+  const std::vector<Panel> ranges = panels(plate, cutoff, poll);
+  double count = 0.0;
+  for (const Panel& panel : ranges) count += nodes_of(panel);
+  if (!(count < most)) {
+    throw InvalidInput("cutoff: got " + shown(cutoff) + " of a plate for contacts of " + shown(duration) +
+                       " in its own time, allowed a lower one, or layers that are less unlike (more waves than are "
+                       "computed)");
+  }
   std::vector<WaveNumber> all;
-  for (const auto& [begin, end, speed] : panels(plate, cutoff)) {
-    const double middle = 0.5 * (begin + end), half = 0.5 * (end - begin);
-    const double phase = surplus * 2.0 * half * speed * time;
-    const auto& rule = numeric::gauss_legendre(static_cast<int>(std::ceil(0.25 * phase + more)), poll);
-    for (std::size_t i = 0; i < rule.node.size(); ++i) {
-      all.push_back({middle + half * rule.node[i], half * rule.weight[i]});
+  for (const Panel& panel : ranges) {
+    const double nodes = nodes_of(panel), parts = std::max(1.0, std::ceil(nodes / most_of_rule));
+    const double half = 0.5 * (panel.end - panel.begin) / parts;
+    const auto& rule = numeric::gauss_legendre(static_cast<int>(std::ceil(nodes / parts + more)), poll);
+    for (double part = 0.0; part < parts; ++part) {
+      const double middle = panel.begin + (2.0 * part + 1.0) * half;
+      for (std::size_t i = 0; i < rule.node.size(); ++i) {
+        all.push_back({middle + half * rule.node[i], half * rule.weight[i]});
+      }
     }
   }
   return all;

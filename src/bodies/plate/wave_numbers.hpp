@@ -15,11 +15,12 @@ struct WaveNumber {
 };
 
 /// Those of which waves with ω ≤ cutoff are kept, for times up to 0.9 duration. The last is below highest_kept.
+/// @throws InvalidInput where these are more than are computed
 [[nodiscard]] std::vector<WaveNumber> wave_numbers(const Lamina& plate, double cutoff, double duration,
                                                    const Poll& poll = {});
 
 /// Wave number above which no modes are below the cutoff.
-[[nodiscard]] double highest_kept(const Lamina& plate, double cutoff);
+[[nodiscard]] double highest_kept(const Lamina& plate, double cutoff, const Poll& poll = {});
 
 /// The layers that waves with ω ≤ cutoff reach from the upper face: deeper ones, in which slower waves may run, move
 /// this face by less than rounding.
