@@ -86,7 +86,7 @@ void run(const BounceArguments& asked_for) {
   const Yielding yielding = cli::yielding(encounter);
   Columns columns = its.columns();
   append(columns, yielding.columns());
-  double fastest = 0.0;
+  double slowest_met = first, fastest = 0.0;
   double strain = 0.0;  // greatest that is beyond what is small
   long short_flights = 0;
   const OutputOptions& output = arguments.output;
@@ -96,7 +96,7 @@ void run(const BounceArguments& asked_for) {
       Row row = its.row(bounce);
       append(row, yielding.row(bounce.speed));
       writer.add(row);
-      fastest = std::max(fastest, bounce.speed);
+      slowest_met = std::min(slowest_met, bounce.speed), fastest = std::max(fastest, bounce.speed);
       if (bounce.beyond_small_strain) strain = std::max(strain, bounce.strain);
       short_flights += bounce.short_flight ? 1 : 0;
     });
@@ -106,7 +106,7 @@ void run(const BounceArguments& asked_for) {
     output.warn(
         fmt::format("{} flights too short for the vibration to keep clear of the wall (short_flight)", short_flights));
   }
-  warn_of_yield(output, encounter, fastest);
+  if (fastest > 0.0) warn_of_materials(output, encounter, slowest_met, fastest);
 }
 
 void add_flight(CLI::App& command, BounceArguments& arguments) {

@@ -180,7 +180,7 @@ void run(const DistributionArguments& asked) {
     compute_samples(ensemble, run);
     summarize(samples, output, run.writer());
   });
-  warn_of_yield(output, encounter, ensemble.speed);
+  warn_of_materials(output, encounter, ensemble.speed, ensemble.speed);
   run.conclude();
 }
 

@@ -113,6 +113,13 @@ std::string text_of_pairs(const TableArguments& arguments, const TableJob& job) 
   return arguments.format == "c" ? c_header(table, label(arguments, job)) : as_json(arguments, job, table);
 }
 
+/// As headers say it: rounded up to two digits.
+std::string two_digits_up(double number) {
+  if (!(number > 0.0)) return "0";
+  const double unit = std::pow(10.0, std::floor(std::log10(number)) - 1.0);
+  return fmt::format("{:.2g}", std::ceil(number / unit) * unit);
+}
+
 void warn(const TableArguments& arguments, const TableJob& job) {
   const double strain = expected_strain(refinable(job.encounter).at(0), job.speeds[1]);
   if (strain > small_strain_limit) arguments.output.warn_of_strain(strain, "at the fastest");
@@ -120,10 +127,11 @@ void warn(const TableArguments& arguments, const TableJob& job) {
     arguments.output.warn(
         fmt::format("yield and adhesion are models, which differ from eps by up to {}: this and the uncertainty of "
                     "the constants (stoss predict) are not in the errors",
-                    std::ceil(1e3 * job.by_models.value_or(0.0)) / 1e3));
+                    two_digits_up(job.by_models.value_or(0.0))));
+    for (const std::string& line : sound_warnings(job.encounter)) arguments.output.warn(line);
     return;
   }
-  warn_of_yield(arguments.output, job.encounter, job.speeds[1]);
+  warn_of_materials(arguments.output, job.encounter, job.speeds[0], job.speeds[1]);
 }
 
 void run(const TableArguments& arguments) {

@@ -1,5 +1,6 @@
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -13,9 +14,26 @@
 
 namespace stoss::cli {
 
+namespace {
+
+/// Refuses what may never end or never begin: a FIFO by its name, a device. Streams that are open already are read.
+void require_file(const std::string& option, const std::string& path) {
+  std::error_code none;
+  const std::filesystem::file_status its = std::filesystem::status(path, none);
+  const bool open_already =
+      path == "/dev/stdin" || path.rfind("/dev/fd/", 0) == 0 || path.rfind("/proc/self/fd/", 0) == 0;
+  if (open_already || !is_other(its)) return;
+  throw InvalidInput(
+      fmt::format("{}: got '@{}', which is no regular file, allowed a file of modes at a point (or @/dev/stdin)",
+                  option, shortened(path)));
+}
+
+}  // namespace
+
 Participant modal_from_file(const std::string& option, const std::string& text) {
   constexpr std::size_t most = 64U << 20U;
   const std::string path = text.substr(1);
+  require_file(option, path);
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::string all;

@@ -41,10 +41,19 @@ Row Yielding::row(double impact) const {
   return {*speed / units.si->speed, *speed, is_below(impact)};
 }
 
-void warn_of_yield(const OutputOptions& output, const Encounter& encounter, double fastest) {
+void warn_of_materials(const OutputOptions& output, const Encounter& encounter, double slowest, double fastest) {
   const std::optional<Scales> si = si_scales(encounter);
-  const std::string text = si ? yield_warning(encounter, fastest * si->speed) : std::string();
-  if (!text.empty()) output.warn(text);
+  if (!si) return;
+  for (const std::string& line : material_warnings(encounter, slowest * si->speed, fastest * si->speed)) {
+    output.warn(line);
+  }
+}
+
+void warn_of_elastic_materials(const OutputOptions& output, const Encounter& encounter, double fastest) {
+  const std::optional<Scales> si = si_scales(encounter);
+  if (!si) return;
+  if (const std::string line = yield_warning(encounter, fastest * si->speed); !line.empty()) output.warn(line);
+  for (const std::string& line : sound_warnings(encounter)) output.warn(line);
 }
 
 }  // namespace stoss::cli

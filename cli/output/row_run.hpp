@@ -30,7 +30,7 @@ struct RowPlan {
   Columns columns;
   std::function<Row(std::size_t row)> key;           ///< with which this row begins, and no other
   std::function<std::string(std::size_t row)> name;  ///< of a row, in warnings
-  std::optional<Encounter> encounter{};              ///< for the warning of impacts beyond the speed of yielding
+  std::optional<Encounter> encounter{};              ///< for warnings of its materials
   std::function<void(const Row& row)> observer{};    ///< called with each row, also those of an earlier run
 };
 
@@ -71,8 +71,8 @@ class RowRun {
   std::size_t done_ = 0;
   std::size_t marked_ = 0;
   bool stays_ = false;
-  double strain_ = 0.0, turned_ = 0.0;  ///< greatest of the rows that are beyond what is small
-  double fastest_ = 0.0;                ///< speed of the fastest row, c of the first body
+  double strain_ = 0.0, turned_ = 0.0;      ///< greatest of the rows that are beyond what is small
+  double slowest_ = 1e100, fastest_ = 0.0;  ///< speed of the slowest and the fastest row, c of the first body
 };
 
 }  // namespace stoss::cli

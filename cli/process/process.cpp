@@ -23,7 +23,7 @@ std::string program() {
       "    got, allowed = stoss.__version__, '{0}'\n"
       "    if got == allowed: from stoss import _commands as command\n"
       "except ImportError as error:\n"
-      "    got, allowed = 'none', 'the package stoss for python3 (make python; put its bin into PATH): ' + str(error)\n"
+      "    got, allowed = 'none', 'the package stoss for python3 (make python, or pip install . and its bin in PATH): ' + str(error)\n"
       "else:\n"
       "    if got == allowed: sys.exit(command.run_alone(sys.argv[1:], {1}))\n"
       "try: os.write(2, f'stoss: error: Python package: got {{got}}, allowed {{allowed}}\\n'.encode('utf-8', "

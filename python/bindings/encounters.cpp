@@ -142,6 +142,13 @@ void bind_encounters(py::module_& module) {
           "yield_warning", [](const Encounter& self, double speed) { return yield_warning(self, speed); },
           py::arg("speed"), "What is said of elastic results at that speed in m/s, or nothing")
       .def(
+          "loss_warnings",
+          [](const Encounter& self, double slowest, double fastest) { return loss_warnings(self, slowest, fastest); },
+          py::arg("slowest"), py::arg("fastest"), "What is said of the loss of named materials, speeds in m/s")
+      .def(
+          "sound_warnings", [](const Encounter& self) { return sound_warnings(self); },
+          "What is said of named materials that are taken as sound")
+      .def(
           "scales", [](const Encounter& self) { return to_tuple(si_scales(self).value()); },
           "(length, speed, time, frequency, force), of a first body with a material")
       .def(

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import operator
+import os
 import reprlib
-from typing import Any, Sequence
+import stat
+from typing import Any, BinaryIO, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +22,16 @@ def refusal(name: str, value: object, allowed: str) -> InvalidInput:
         got = f"an object of type {type(value).__name__}"
     got = " ".join(got.split())
     return InvalidInput(f"{name}: got {got if len(got) <= 80 else got[:77] + '...'}, allowed {allowed}")
+
+
+def open_file(name: str, path: str | os.PathLike[str]) -> BinaryIO:
+    """A file to read. Refuses what may never end or never begin: a FIFO by its name, a device."""
+    text = os.fspath(path)
+    is_open = isinstance(text, str) and text.startswith(("/dev/stdin", "/dev/fd/", "/proc/self/fd/"))
+    mode = os.stat(text).st_mode
+    if not (is_open or stat.S_ISREG(mode) or stat.S_ISDIR(mode)):  # of a folder opening says it
+        raise InvalidInput(f"{name}: got '{text}', which is no regular file, allowed a file (or /dev/stdin)")
+    return open(text, "rb")
 
 
 def numbers(name: str, value: Any) -> NDArray[np.float64]:

@@ -84,6 +84,23 @@ double loss_time_of(const Participant& of) {
   return its;
 }
 
+const NamedMaterial* named_of(const Participant& of) {
+  for (const NamedMaterial& each : named_materials()) {
+    if (each.name == of.material_name) return &each;
+  }
+  return nullptr;
+}
+
+double quality_of(const Participant& of) {
+  const NamedMaterial* its = named_of(of);
+  return its == nullptr || of.values.contains("loss_time") ? 0.0 : its->quality;
+}
+
+double softness_of(const Participant& of) {
+  const Material& its = *of.material;
+  return of.rigid ? 0.0 : (1.0 - its.poisson * its.poisson) / its.young;
+}
+
 Values all_values(const Participant& of, std::optional<double> poisson, double radius) {
   const Kind& kind = stoss::kind(of.kind);
   if (kind.from_file) return values_of_file(of);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "stoss/encounter/encounter.hpp"
+#include "stoss/encounter/materials.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -25,6 +26,15 @@ auto of_what_is_met(Make make) {
 /// η, that of the material where none is given; 0 of a rigid body.
 /// @throws InvalidInput where none is given and layers differ
 [[nodiscard]] double loss_time_of(const Participant& of);
+
+/// The material of the list that a body has by its name; null for numbers of its own.
+[[nodiscard]] const NamedMaterial* named_of(const Participant& of);
+
+/// Q of a named material, the same at all frequencies; 0 where the body has a loss time of its own or none is known.
+[[nodiscard]] double quality_of(const Participant& of);
+
+/// (1 − ν²)/E of a body with a material, 1/Pa; 0 of a rigid one.
+[[nodiscard]] double softness_of(const Participant& of);
 
 /// All numbers of the kind of a participant: as they were given, of its material in SI, or the default.
 /// @param poisson that it has where none is given

@@ -5,8 +5,8 @@
 
 #include "check.hpp"
 #include "encounter/participant.hpp"
-#include "prediction/quality.hpp"
 #include "prediction/touching.hpp"
+#include "quasistatic/quality.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/errors.hpp"
 
@@ -48,16 +48,12 @@ Uncertainties known_of(const Participant& of) {
   return its != nullptr ? its->uncertainties : Uncertainties{};
 }
 
-/// Q of a material that has the same at all frequencies; 0 where it has a loss time or none is known.
-double quality_of(const Participant& of) {
-  const NamedMaterial* its = named_of(of);
-  return its == nullptr || of.values.contains("loss_time") ? 0.0 : its->quality;
-}
-
 /// By what the loss time of a slow impact is larger where the material loses more by a factor.
 double larger_loss_time(const Participant& of, double factor) {
   const double quality = quality_of(of);
-  return quality == 0.0 ? factor : loss_number_of_quality(quality / factor) / loss_number_of_quality(quality);
+  return quality == 0.0
+             ? factor
+             : quasistatic::loss_number_of_quality(quality / factor) / quasistatic::loss_number_of_quality(quality);
 }
 
 /// What a body adds to the loss in the material of slow contacts: its softness times its loss time.
@@ -96,19 +92,12 @@ void require_names(const Encounter& encounter, const PredictionOptions& options)
 
 }  // namespace
 
-const NamedMaterial* named_of(const Participant& of) {
-  for (const NamedMaterial& each : named_materials()) {
-    if (each.name == of.material_name) return &each;
-  }
-  return nullptr;
-}
-
 Encounter at_speed(const Encounter& encounter, double time) {
   Encounter made = encounter;
   for (Participant* each : {&made.first, &made.against}) {
     const double quality = quality_of(*each);
     if (quality == 0.0) continue;
-    each->material->loss_time = loss_number_of_quality(quality) / 1.5 * time;
+    each->material->loss_time = quasistatic::loss_number_of_quality(quality) / 1.5 * time;
     for (Participant& layer : each->below) {  // of one material, as all layers share a loss time
       layer.material->loss_time = each->material->loss_time;
       layer.material_name.clear();

@@ -8,9 +8,6 @@
 
 namespace stoss::prediction {
 
-/// The material of the list that a body has by its name; null for numbers of its own.
-[[nodiscard]] const NamedMaterial* named_of(const Participant& of);
-
 /// A constant that is known within a factor of 1 + u, and the encounter in which it is larger by this factor.
 struct Variant {
   std::string constant;

@@ -46,11 +46,6 @@ double work_between(const Side& one, const Side& other) {
 
 }  // namespace
 
-double softness_of(const Participant& of) {
-  const Material& its = *of.material;
-  return of.rigid ? 0.0 : (1.0 - its.poisson * its.poisson) / its.young;
-}
-
 double Touching::time(double speed) const {
   const double stiffness = 4.0 / (3.0 * pair.softness * std::sqrt(pair.curvature));
   return std::pow(mass / stiffness, 0.4) * std::pow(speed, -0.2);

@@ -30,9 +30,6 @@ struct Touching {
   [[nodiscard]] quasistatic::InelasticContact contact(double speed) const;
 };
 
-/// (1 − ν²)/E of a body with a material, 1/Pa; 0 of a rigid one.
-[[nodiscard]] double softness_of(const Participant& of);
-
 /// Speed at which the contact of one that yields is as wide as 0.2 R: finite strain takes some 4 % of ε² there, and
 /// more above.
 [[nodiscard]] double speed_of_impression(const Touching& touching);

@@ -1,9 +1,6 @@
 #include "prediction/warnings.hpp"
 
-#include <algorithm>
 #include <cstdio>
-
-#include "prediction/constants.hpp"
 
 namespace stoss::prediction {
 namespace {
@@ -47,15 +44,7 @@ std::vector<std::string> warnings(const Encounter& encounter, const Thresholds& 
     if (!has_strength(*each))
       all.push_back("no yield strength " + who + " is known: it is taken not to yield or break");
   }
-  std::vector<std::string> told;
-  for (const Participant* each : {&encounter.first, &encounter.against}) {
-    const NamedMaterial* its = named_of(*each);
-    if (its == nullptr || !its->sound || each->rigid || std::count(told.begin(), told.end(), its->name) != 0) continue;
-    told.emplace_back(its->name);
-    all.push_back(
-        told.back() +
-        " is taken as sound, smooth, dry and uncracked: measured losses are often ten times as large and more");
-  }
+  for (const std::string& line : sound_warnings(encounter)) all.push_back(line);
   if (computed.finest.beyond_small_strain) {
     all.emplace_back("strains are large: linear elasticity, and so the computed channels, are no longer accurate");
   }

@@ -144,7 +144,8 @@ std::string stays_open(const Restitution& result) {
          shown(std::ceil(1.1e8 * scaled_error(result)) / 1e8) + ")";
 }
 
-std::string beyond_reach(const Outlook& next, double highest, bool vibrating) {
+/// @param error of 1 − ε² that was reached
+std::string beyond_reach(const Outlook& next, double highest, bool vibrating, double error) {
   const auto rounded = [](double x) {
     std::array<char, 32> text{};
     (void)std::snprintf(text.data(), text.size(), "%.2g", x);
@@ -155,8 +156,11 @@ std::string beyond_reach(const Outlook& next, double highest, bool vibrating) {
                                  ? "up to " + whole(std::max(next.cutoff, highest)) + " c/R, the limit is "
                                  : "far above the limit of ";
   return "did not reach the tolerance: that needs modes " + needed + whole(highest) +
-         (next.cutoff < 1e5 ? "" : " c/R") + (vibrating ? "; try an absolute error" : "; try a tolerance") +
-         (next.reachable < 0.5 ? " of " + rounded(next.reachable) + " or larger" : " that is larger");
+         (next.cutoff < 1e5 ? "" : " c/R") +
+         (next.reachable < 0.5
+              ? (vibrating ? "; try an absolute error of " : "; try a tolerance of ") + rounded(next.reachable)
+              : ", as so little is lost; try an absolute error of " + rounded(1.05 * error)) +
+         " or larger";
 }
 
 }  // namespace
@@ -242,7 +246,9 @@ Restitution refined(const RefinableContact& contact, double speed, const Restitu
   if (result.lost_fraction.error > 1.0)
     result.lost_fraction.error = result.restitution.error = std::numeric_limits<double>::infinity();
   result.converged = false;  // two or three runs that agree are not enough
-  result.reason = trouble.empty() ? beyond_reach(next, contact.cutoff(highest), !options.vibration.empty()) : trouble;
+  result.reason = trouble.empty() ? beyond_reach(next, contact.cutoff(highest), !options.vibration.empty(),
+                                                 result.lost_fraction.error)
+                                  : trouble;
   throw RestitutionNotConverged(std::move(result));
 }
 

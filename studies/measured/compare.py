@@ -52,29 +52,29 @@ def law(command, name, what, radius, chosen):
 def lines(command):
     block = "half-space,material="
     (row,) = predicted(command, "alumina", 0.0025, block + "glass", [3.9])
-    yield "alumina, 5 mm, on thick glass (Kharaz and others 2001)", "3.9 m/s", "0.98", *said(row), losses(0.98, row)
+    yield "alumina, Ø 5 mm, on thick glass (Kharaz and others 2001)", "3.9 m/s", "0.98", *said(row), losses(0.98, row)
     chosen = (1e-3, 1e-2)
-    yield from law(command, "hatzes_1988_frosted_law", "frosted ice, 50 mm, on ice, 85 to 145 K (Hatzes and others 1988)",
+    yield from law(command, "hatzes_1988_frosted_law", "frosted ice, Ø 50 mm, on ice, 85 to 145 K (Hatzes and others 1988)",
                    0.025, chosen)  # fmt: skip
     yield from law(command, "hatzes_1988_compacted_law", "the same, compacted", 0.025, chosen)
     (ice,) = points("heisselmann_2010_ice")
     (row,) = predicted(command, "ice", 0.0075, "same", [0.14])
     low, high, mean = (ice[f"restitution_{each}"] for each in ("min", "max", "mean"))
-    yield ("rough ice, 15 mm, on its like (Heißelmann and others 2010)", "0.06 to 0.22 m/s", f"{low} to {high}, mean {mean}",
+    yield ("rough ice, Ø 15 mm, on its like (Heißelmann and others 2010)", "0.06 to 0.22 m/s", f"{low} to {high}, mean {mean}",
            *said(row), losses(float(mean), row))  # fmt: skip
     for each in points("deckers_2016_ice"):
         value = float(each["restitution_plateau"])
         (row,) = predicted(command, "ice", float(each["diameter_m"]) / 2, block + "ice", [1.0])
-        yield (f"ice, {1e3 * float(each['diameter_m']):g} mm, on ice, 256 K (Deckers and Teiser 2016, quoted)", "plateau",
+        yield (f"ice, Ø {1e3 * float(each['diameter_m']):g} mm, on ice, 256 K (Deckers and Teiser 2016, quoted)", "plateau",
                f"{value}", *said(row), losses(value, row))  # fmt: skip
     (granite,) = points("durda_2011_granite")
     (row,) = predicted(command, "granite", 0.5, "same", [1.0])
     value = float(granite["restitution"])
-    yield ("granite, 1 m, on its like (Durda and others 2011)", "1 m/s", f"{value} ± {granite['restitution_error']}",
+    yield ("granite, Ø 1 m, on its like (Durda and others 2011)", "1 m/s", f"{value} ± {granite['restitution_error']}",
            *said(row), losses(value, row))  # fmt: skip
     (sticks,) = points("gundlach_2014_sticking")
     (row,) = predicted(command, "ice", 1.5e-6, "same", [float(sticks["sticking_speed_m_s"])])
-    yield ("ice, 1.5 µm, on aggregates of it (Gundlach and Blum 2014)", "9.6 m/s", "0: it sticks below", *said(row), "–")
+    yield ("ice, R = 1.5 µm, on aggregates of it (Gundlach and Blum 2014)", "9.6 m/s", "0: it sticks below", *said(row), "–")
 
 
 if __name__ == "__main__":

@@ -152,3 +152,12 @@ def test_a_trajectory_has_the_units_of_its_inputs(stoss, tmp_path):
     # Without a material there is nothing to be in SI.
     assert stoss.run(f"impact --poisson 0.33 --speed 0.1 --cutoff 6 --quiet --trajectory {path}").returncode == 0
     assert "_si" not in path.read_text()
+
+
+def test_rods_say_which_error_they_reach(stoss):
+    rods = "restitution --body rod --speed 0.1 --against same"
+    done = stoss.run(rods)
+    assert done.returncode == 1
+    reached = re.search(r"as so little is lost; try an absolute error of ([\d.e-]+) or larger", done.stderr)
+    assert reached, done.stderr
+    assert stoss.run(rods, f"--absolute {reached[1]}").returncode == 0

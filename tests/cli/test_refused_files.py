@@ -215,3 +215,12 @@ def test_trajectory_and_output_in_one_file(stoss, tmp_path):
         words = "impact --poisson 0.33 --speed 0.1 --trajectory /dev/stdout".split()
         assert subprocess.run([stoss.path, *words], stdout=stdout, stderr=subprocess.DEVNULL).returncode == 3
     assert path.read_text() == "precious"
+
+
+def test_a_body_file_that_is_a_fifo_is_refused_and_stdin_is_read(stoss, tmp_path):
+    os.mkfifo(tmp_path / "pipe")
+    for option in (f"--body @{tmp_path}/pipe", f"--body sphere --poisson 0.3 --against @{tmp_path}/pipe"):
+        done = stoss.run("restitution --speed 0.1", option)
+        assert done.returncode == 3 and "which is no regular file" in done.stderr, done.stderr
+    given = subprocess.run([stoss.path, "restitution", "--speed", "0.1", "--body", "@/dev/stdin"], input="[1]", text=True, capture_output=True)
+    assert given.returncode == 3 and "no regular file" not in given.stderr, given.stderr

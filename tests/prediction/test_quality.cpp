@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "prediction/quality.hpp"
 #include "quasistatic/lossy_motion.hpp"
+#include "quasistatic/quality.hpp"
 #include "stoss/encounter/document.hpp"
 #include "stoss/prediction/prediction.hpp"
 #include "stoss/restitution/restitution.hpp"
@@ -49,14 +49,14 @@ TEST(PredictedQuality, LossOfAQualityIsThatOfSpringsWithMemory) {
                                                                                {3.0, 1.69829},
                                                                                {1.0, 0.90735},
                                                                                {0.5, 0.49069}}) {
-    EXPECT_NEAR(prediction::loss_of_quality(quality) * quality, product, 1e-4 * product) << quality;
-    const double number = prediction::loss_number_of_quality(quality);
+    EXPECT_NEAR(quasistatic::loss_of_quality(quality) * quality, product, 1e-4 * product) << quality;
+    const double number = quasistatic::loss_number_of_quality(quality);
     const double restitution = lossy_motion(quasistatic::LossyLaw::ting, number).restitution;
     EXPECT_NEAR((1.0 - restitution * restitution) * quality, product, 1e-4 * product) << quality;
   }
-  EXPECT_NEAR(prediction::loss_of_quality(1e9) * 1e9, 2.4094, 2e-4);
-  EXPECT_NEAR(prediction::loss_number_of_quality(1e12) * 1e12, 2.40947 / 2.306898, 1e-4);
-  test::expect_refusal([] { (void)prediction::loss_of_quality(0.4); }, {"quality: got 0.4"});
+  EXPECT_NEAR(quasistatic::loss_of_quality(1e9) * 1e9, 2.4094, 2e-4);
+  EXPECT_NEAR(quasistatic::loss_number_of_quality(1e12) * 1e12, 2.40947 / 2.306898, 1e-4);
+  test::expect_refusal([] { (void)quasistatic::loss_of_quality(0.4); }, {"quality: got 0.4"});
 }
 
 }  // namespace

@@ -50,6 +50,10 @@ emscripten::val answer(const Meeting& meeting, double speed, const emscripten::v
                      {"beyondSmallStrain", val(finest.beyond_small_strain)}});
   if (const auto yield = yield_speed(meeting.encounter)) made.set("yieldSpeed", *yield);
   if (const std::string said = yield_warning(meeting.encounter, speed); !said.empty()) made.set("yieldWarning", said);
+  val lines = val::array();
+  for (const std::string& line : loss_warnings(meeting.encounter, speed, speed)) lines.call<void>("push", line);
+  for (const std::string& line : sound_warnings(meeting.encounter)) lines.call<void>("push", line);
+  made.set("materialWarnings", lines);
   return made;
 }
 

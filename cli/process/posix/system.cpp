@@ -24,6 +24,39 @@ static_assert(std::atomic<int>::is_always_lock_free);  // so that a signal handl
 
 void note(int number) { noted = number; }
 
+namespace fs = std::filesystem;
+
+/// Folder of this program.
+fs::path own_folder() {
+  std::error_code none;
+  return fs::read_symlink("/proc/self/exe", none).parent_path();
+}
+
+/// Whether Python's packages below a prefix have this project's.
+bool has_package(const fs::path& prefix) {
+  std::error_code none;
+  for (const fs::directory_entry& each : fs::directory_iterator(prefix / "lib", none)) {
+    if (each.path().filename().string().rfind("python3", 0) != 0) continue;
+    for (const char* packages : {"site-packages", "dist-packages"}) {
+      if (fs::exists(each.path() / packages / "stoss" / "__init__.py", none)) return true;
+    }
+  }
+  return false;
+}
+
+/// Becomes the program of an environment that has the package: of the build tree that this program is in, or the one
+/// in whose `bin` it is. Returns where there is none.
+void become_beside(const std::string& name, std::vector<char*> words) {
+  const fs::path own = own_folder();
+  if (own.empty()) return;
+  for (const fs::path& prefix : {own / ".." / ".." / "venv", own / ".." / "venv", own / ".."}) {
+    if (!has_package(prefix)) continue;
+    std::string program = (prefix / "bin" / name).lexically_normal().string();
+    words.front() = program.data();  // by which Python finds its environment
+    execv(program.c_str(), words.data());
+  }
+}
+
 }  // namespace
 
 void prepare_streams() {
@@ -74,12 +107,10 @@ void become(const std::vector<std::string>& words) {
   sigemptyset(&held);
   sigaddset(&held, SIGINT);
   (void)sigprocmask(SIG_BLOCK, &held, &before);
+  become_beside(words.front(), pointers);
   execvp(pointers.front(), pointers.data());
   const int reason = errno;
-  std::error_code none;
-  const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
-  for (const std::filesystem::path& folder :
-       {own, std::filesystem::path("/usr/local/bin"), std::filesystem::path("/usr/bin")}) {
+  for (const fs::path& folder : {own_folder(), fs::path("/usr/local/bin"), fs::path("/usr/bin")}) {
     if (!folder.empty()) execv((folder / words.front()).c_str(), pointers.data());
   }
   (void)sigprocmask(SIG_SETMASK, &before, nullptr);

@@ -183,6 +183,19 @@ def yield_warning_of(body: Any, against: Any, speed: float) -> str:
     return "" if found is None else found.yield_warning(speed)
 
 
+def material_warnings_of(body: Any, against: Any, slowest: float, fastest: float, lossy: bool = True) -> list[str]:
+    """All that the core says of the materials of results at these speeds, m/s; of elastic ones nothing of losses."""
+    yields = yield_warning_of(body, against, fastest)
+    said = [yields] if yields else []
+    if body.material is None or not isinstance(against, (str, type(None), *PARTNERS, HardWall)):
+        return said
+    met = "same" if isinstance(against, str) or against is body else HardWall() if against is None else against
+    meeting = drop_encounter(body, met)
+    if lossy:
+        said += meeting.loss_warnings(slowest, fastest)
+    return said + meeting.sound_warnings()
+
+
 def _that_may_yield(body: Any, against: Any) -> _core.Encounter | None:
     if not isinstance(body, Sphere) or body.material is None:
         return None

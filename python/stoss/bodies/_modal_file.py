@@ -9,6 +9,7 @@ from typing import Any, Collection, Mapping
 
 import numpy as np
 
+from stoss._arguments import open_file
 from stoss._errors import InvalidInput
 from stoss.export._documents import of_json
 from stoss.export._files import whole_file, write_lines
@@ -23,7 +24,7 @@ MOST = 64 << 20
 
 def read_document(path: str | os.PathLike[str], nested: Nested) -> Any:
     """What a file holds, in plain types: an NPZ file if it is a ZIP archive, else JSON."""
-    with open(path, "rb") as stream:
+    with open_file("body", path) as stream:
         content = stream.read(MOST + 1)
     if len(content) > MOST:
         raise InvalidInput("body: got more than 64 MiB, allowed a file of modes at a point")

@@ -218,7 +218,7 @@ def fit(
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", StossWarning)  # said below, once
         impacts: Impacts = elastic.impacts_of(ball, met, slowest, fastest, mu if tells else 0.0, count, shows)
-    warn_at(ball, met, fastest / speed_unit(ball), 2)
+    warn_at(ball, met, np.array([slowest, fastest]) / speed_unit(ball), 2)
     made: Law = laws.LAWS[chosen].fitted(impacts, spring, ratios or laws.KAPPA)
     made = dataclasses.replace(made, friction=mu)  # also where nothing is fitted to it
     return _result(ball, met, chosen, program, mu, made, impacts, () if wording is None else tuple(wording.write(made)))

@@ -32,7 +32,7 @@ def prediction(result: Prediction, ax: Axes | None = None) -> Axes:
 
     Above, ε and dashed that without yield and adhesion, with its three uncertainties: the spread of
     the models shaded, what uncertain constants do as bars, and the numerical error as thin lines on
-    both sides. In the middle the lost energy, and what each channel takes of the energy before.
+    both sides, all as far as ε can be, from 0 to 1. In the middle the lost energy, and what each channel takes of the energy before.
     Below, the channels as shares of what is lost, one above the other. Computed channels are solid,
     models dashed and hatched. A dotted line is the speed at which yielding begins.
 
@@ -80,10 +80,11 @@ def _draw_restitution(axes: Axes, result: Prediction, order: NDArray[np.intp], s
     axes.fill_between(speed, values("models_low"), values("models_high"), color=BAND, linewidth=0.0, label="models")
     axes.plot(speed, value, color=_style.BLACK, label="ε")
     axes.plot(speed, alone, color=_style.BLUE, linestyle="--", linewidth=0.9, label="without models")
-    for edge in (value - error, value + error):
-        axes.plot(speed, edge, color=_style.BLACK, linewidth=0.3)
+    for edge, said in ((value - error, "numerical"), (value + error, None)):
+        axes.plot(speed, np.clip(edge, 0.0, 1.0), color=_style.BLACK, linewidth=0.3, label=said)
+    reach = np.stack([np.minimum(constants, value), np.minimum(constants, 1.0 - value)])  # ε is 0 to 1
     look = {"fmt": "none", "ecolor": _style.VERMILION, "elinewidth": 0.8, "capsize": 1.5}
-    axes.errorbar(speed, value, yerr=constants, label="constants", **look)
+    axes.errorbar(speed, value, yerr=reach, label="constants", **look)
     axes.ticklabel_format(axis="y", useOffset=False)
     axes.set_ylabel("restitution ε")
     _above(axes)

@@ -18,7 +18,7 @@ from stoss.export._text import span, with_error
 from stoss.quasistatic._slow_impact import SlowOfABody, slow_inputs
 from stoss.results._restitution import Flag, Integer
 from stoss.results._result import Number, columns, picture
-from stoss.results._si import Si, warn_of_yielding
+from stoss.results._si import Si, warn_of_materials
 
 
 class EstimateOfABody(SlowOfABody):
@@ -180,5 +180,5 @@ def rayleigh(
     shaped |= {"law": chosen, "cutoff": highest, "mode_energies": energies if speeds.ndim == 0 else None}
     made = PointRayleighEstimate if isinstance(body, Sphere) else RayleighEstimate
     result: RayleighEstimate | PointRayleighEstimate = made(body=body, **shaped)
-    warn_of_yielding(result, 2)
+    warn_of_materials(result, 2, lossy=False)
     return result

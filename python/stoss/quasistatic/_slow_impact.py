@@ -15,7 +15,7 @@ from stoss.bodies._bodies import Disk, Sphere, speed_unit, speeds_in_si
 from stoss.export._text import span
 from stoss.quasistatic._compression import choose_law, poissons_of
 from stoss.results._result import Number, columns, picture
-from stoss.results._si import ImpactsInSi, Si, warn_of_yielding
+from stoss.results._si import ImpactsInSi, Si, warn_of_materials
 
 
 class SlowOfABody(ImpactsInSi):
@@ -128,5 +128,5 @@ def slow_impact(
     shaped = {name: arranged(column, speeds.shape) for name, column in values.items()}
     made = PointSlowImpact if isinstance(body, Sphere) else SlowImpact
     result: SlowImpact | PointSlowImpact = made(law=chosen, body=body, **shaped)
-    warn_of_yielding(result, 2)
+    warn_of_materials(result, 2, lossy=False)
     return result

@@ -19,7 +19,7 @@ from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import UNBOUNDED, ExponentialWall, HardWall
 from stoss.export._text import span
 from stoss.results._result import RowResult, columns, picture
-from stoss.results._si import MayYield, Si, warn_of_large_strain, warn_of_yielding
+from stoss.results._si import MayYield, Si, warn_of_large_strain, warn_of_materials
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -168,5 +168,5 @@ def bounce(
     if short := int(np.count_nonzero(result.short_flight)):
         text = f"{short} flights too short for the vibration to keep clear of the wall (see .short_flight)"
         warnings.warn(text, StossWarning, stacklevel=2)
-    warn_of_yielding(result, 2)
+    warn_of_materials(result, 2)
     return result

@@ -225,7 +225,7 @@ def restitution_function(
     with speeds_in_si(chosen):
         made = _core.adaptive_function(refinable(chosen, met), slowest, fastest, limit, count)
     function = function_of(chosen, met, outside, None, *made.knots(), made.interpolation_errors())
-    warn_at(chosen, met, function.speed[-1], 2)
+    warn_at(chosen, met, function.speed, 2)
     return function
 
 

@@ -17,7 +17,7 @@ from stoss.bodies._encounter import Against, choose_against, choose_body, choose
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import ExponentialWall, HardWall
 from stoss.results import _replay, _sound
-from stoss.results._si import ImpactsInSi, Si, warn_of_yielding
+from stoss.results._si import ImpactsInSi, Si, warn_of_materials
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -199,5 +199,5 @@ def impact(
         raise InvalidInput(f"keep: got {got}, allowed only with a stoss.ExponentialWall ({hint})")
     with speeds_in_si(chosen):
         result = Impact._made(chosen, met, initial, at, answer, resolution, kept, state)
-    warn_of_yielding(result, 2)
+    warn_of_materials(result, 2)
     return result

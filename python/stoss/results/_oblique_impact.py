@@ -18,7 +18,7 @@ from stoss.bodies._walls import HardWall, Unbounded
 from stoss.results import _oblique_trajectory
 from stoss.results._oblique_ledger import ObliqueLedger
 from stoss.results._obliquity import MOTION, Oblique, choose_motion, explained
-from stoss.results._si import ImpactsInSi, warn_of_yielding
+from stoss.results._si import ImpactsInSi, warn_of_materials
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -164,5 +164,5 @@ def oblique_impact(
         result = ObliqueImpact._made(
             chosen, met, tuple(float(each) for each in motion), highest, resolution, state
         )
-    warn_of_yielding(result, 2)
+    warn_of_materials(result, 2)
     return result

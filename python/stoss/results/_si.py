@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._errors import Interrupted, NotConverged, StossWarning
-from stoss.bodies._encounter import yield_speed_of, yield_warning_of
+from stoss.bodies._encounter import material_warnings_of, yield_speed_of
 from stoss.bodies._material import Material
 from stoss.results._result import Number, Result
 
@@ -146,20 +146,21 @@ def finished(curve: Curve, done: int | None) -> Curve:
         warn_of_doubt(result.converged, "values", 3)
     warn_of_staying(curve, 3)
     warn_of_large_strain(curve, 3)
-    warn_of_yielding(curve, 3)
+    warn_of_materials(curve, 3)
     return curve
 
 
-def warn_of_yielding(result: MayYield, stacklevel: int) -> None:
-    """A warning, as from that many calls above, if impacts are faster than the speed at which yielding begins."""
-    warn_at(result.body, getattr(result, "against", None), result.speed, stacklevel + 1)
+def warn_of_materials(result: MayYield, stacklevel: int, lossy: bool = True) -> None:
+    """Warnings, as from that many calls above, of what materials do that was not computed, or with another loss."""
+    warn_at(result.body, getattr(result, "against", None), result.speed, stacklevel + 1, lossy)
 
 
-def warn_at(body: Any, against: Any, speed: Any, stacklevel: int) -> None:
+def warn_at(body: Any, against: Any, speed: Any, stacklevel: int, lossy: bool = True) -> None:
     """The same of bodies at speeds in c."""
     if getattr(body, "material", None) is None or np.size(speed) == 0:
         return
-    if said := yield_warning_of(body, against, float(np.max(speed)) * body.scales.speed):
+    slowest, fastest = float(np.min(speed)) * body.scales.speed, float(np.max(speed)) * body.scales.speed
+    for said in material_warnings_of(body, against, slowest, fastest, lossy):
         warnings.warn(said, StossWarning, stacklevel=stacklevel + 1)
 
 

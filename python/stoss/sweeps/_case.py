@@ -8,10 +8,14 @@ import math
 from typing import NamedTuple, Sequence
 
 from stoss.bodies._bodies import Body
-from stoss.bodies._encounter import Against, yield_speed_of, yield_warning_of
+from stoss.bodies._encounter import Against, material_warnings_of, yield_speed_of, yield_warning_of
 from stoss.bodies._solid import Solid, Specification
 from stoss.sweeps._bodies import reference
 from stoss.sweeps._computation import Accuracy
+
+
+MOST_WARNINGS = 4
+"""Of losses in the materials of different cases, in one sweep."""
 
 
 class Case(NamedTuple):
@@ -24,8 +28,21 @@ class Case(NamedTuple):
     key: str
 
 
-def yield_warning(cases: Sequence[Case], fastest: float) -> str:
-    """What the core says of the cases that yield first, m/s; nothing if none yields."""
+def material_warnings(cases: Sequence[Case], slowest: float, fastest: float) -> list[str]:
+    """What the core says of the materials of the cases, m/s: of yielding the worst case, of losses the first few."""
+    yields = _yield_warning(cases, fastest)
+    said = [yields] if yields else []
+    others: dict[str, int] = {}
+    for case in cases:
+        for text in material_warnings_of(case.body, case.against, slowest, fastest):
+            if "yields above" not in text:
+                others[text] = others.get(text, 0) + 1
+    said += list(others)[:MOST_WARNINGS]
+    left = len(others) - MOST_WARNINGS
+    return said + ([f"{left} more warnings of other cases like the last"] if left > 0 else [])
+
+
+def _yield_warning(cases: Sequence[Case], fastest: float) -> str:
     onsets = [(yield_speed_of(case.body, case.against) or math.inf, place) for place, case in enumerate(cases)]
     beyond = sum(onset < fastest for onset, _ in onsets)
     if beyond == 0:

@@ -17,7 +17,7 @@ from stoss._arguments import refusal
 from stoss._commands import Parser, guarded, say
 from stoss.export._files import require_writable
 from stoss.sweeps import _store
-from stoss.sweeps._case import yield_warning
+from stoss.sweeps._case import material_warnings
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._rows import Layout
 from stoss.sweeps._tasks import Part, fill, missing, parts_of
@@ -56,7 +56,7 @@ def _sweep(words: Sequence[str]) -> int:
     if doubtful:
         hint = "they are in the store with their errors, converged is false"
         say(f"stoss: warning: {doubtful} of {values} values not as accurate as asked for ({hint})")
-    if said := yield_warning(grid.cases(), float(grid.speed.max())):
+    for said in material_warnings(grid.cases(), float(grid.speed.min()), float(grid.speed.max())):
         say(f"stoss: warning: {said}")
     return 0
 

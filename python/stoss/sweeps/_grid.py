@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss._arguments import integer, numbers, refusal
+from stoss._arguments import integer, numbers, open_file, refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body
 from stoss.bodies._encounter import choose_against, choose_body, refinable
@@ -173,7 +173,7 @@ class Grid:
         """
         import tomllib  # Python 3.11
 
-        with open(path, "rb") as stream:
+        with open_file("grid", path) as stream:
             try:
                 given = tomllib.load(stream)
             except (ValueError, RecursionError) as error:  # also of integers with thousands of digits

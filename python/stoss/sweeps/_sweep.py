@@ -12,7 +12,7 @@ import numpy as np
 from stoss._arguments import instance, integer, refusal
 from stoss._errors import Interrupted, InvalidInput, StossWarning
 from stoss.sweeps import _store
-from stoss.sweeps._case import yield_warning
+from stoss.sweeps._case import material_warnings
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._tasks import Task, compute, missing, parts_of, tasks_of
 from stoss.sweeps._values import Sweep, values_of
@@ -82,7 +82,7 @@ def sweep(
     if doubtful:
         text = f"{doubtful} of {result.computed.size} values not as accurate as asked for (see .converged)"
         warnings.warn(text, StossWarning, stacklevel=2)
-    if said := yield_warning(chosen.cases(), float(chosen.speed.max())):
+    for said in material_warnings(chosen.cases(), float(chosen.speed.min()), float(chosen.speed.max())):
         warnings.warn(said, StossWarning, stacklevel=2)
     return result
 

@@ -44,9 +44,22 @@ def test_restitution_with_its_three_uncertainties(drop):
     assert above.get_ydata().tolist() == (drop.restitution + drop.restitution_error)[order].tolist()
     band, bars = ax.collections
     ends = np.array([segment[:, 1] for segment in bars.get_segments()])
-    assert np.diff(ends).ravel() == pytest.approx(2 * drop.by_constants[order])
+    reach = np.minimum(drop.restitution + drop.by_constants, 1.0) - np.maximum(drop.restitution - drop.by_constants, 0.0)
+    assert np.diff(ends).ravel() == pytest.approx(reach[order])
     assert upper(band) == dict(zip(drop.speed, drop.models_high))
-    assert words(ax) == ["models", "ε", "without models", "constants"] and ax.get_xscale() == "log"
+    assert words(ax) == ["models", "ε", "without models", "numerical", "constants"] and ax.get_xscale() == "log"
+
+
+def test_nothing_is_drawn_that_cannot_be():
+    glass = stoss.materials["glass"]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", stoss.StossWarning)
+        slow = stoss.predict(stoss.Sphere(radius=5e-3, material=glass), speed=[0.01, 0.02], adhesion=0, tolerance=1e-2)
+    assert (slow.restitution + slow.by_constants > 1).all()
+    ax = slow.plot().child_axes[0]
+    bars = ax.collections[-1]
+    assert max(segment[:, 1].max() for segment in bars.get_segments()) == 1.0
+    assert all(np.max(line.get_ydata()) <= 1.0 for line in ax.lines)
 
 
 def test_models_are_dashed_and_hatched(drop):

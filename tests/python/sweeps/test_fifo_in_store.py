@@ -5,6 +5,7 @@ import subprocess
 import sys
 
 import pytest
+import stoss
 
 GRID = """import sys, stoss
 stoss.sweep({"bodies": {"kind": "sphere", "poisson": 0.3}, "speed": [0.1], "tolerance": 1e-2}, store=sys.argv[1])"""
@@ -20,3 +21,10 @@ def test_is_refused(tmp_path, name):
     result = subprocess.run([sys.executable, "-c", GRID, str(tmp_path)], capture_output=True, text=True, timeout=60)
     said = result.stderr.splitlines()[-1]
     assert "InvalidInput: store: got" in said and "no regular file" in said
+
+
+@pytest.mark.parametrize("read", [stoss.Grid.from_toml, stoss.ModalBody.read])
+def test_a_grid_or_a_body_that_is_a_fifo_is_refused(read, tmp_path):
+    os.mkfifo(tmp_path / "pipe")
+    with pytest.raises(stoss.InvalidInput, match="which is no regular file"):
+        read(tmp_path / "pipe")

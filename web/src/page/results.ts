@@ -76,7 +76,7 @@ const noticeableCoupling = 0.01;
 
 /** What a reader should know about a result, one line each. */
 export function flags(
-  { reason, converged, note, beyondSmallStrain, beyondSmallTurn, quantities }: Restitution,
+  { reason, converged, note, beyondSmallStrain, beyondSmallTurn, materialWarnings, quantities }: Restitution,
 ): string[] {
   // The core's advice is about a tolerance, which is no input here.
   const why = reason.replace(/; try an? [^;]*$/, '') || 'tolerance not reached';
@@ -87,6 +87,7 @@ export function flags(
       : `In unequal spheres pressure and friction act on each other. Left out here, that may change ε_t by ${
         Number.isFinite(coupling) ? significant(coupling, 2) : 'an unknown amount'}.`,
     note && `${note.charAt(0).toUpperCase()}${note.slice(1).replace(' (stays)', '').replace('eps', 'ε')}.`,
+    ...(materialWarnings ?? []).map((line) => `${line.charAt(0).toUpperCase()}${line.slice(1)}.`),
     converged ? '' : `Not as accurate as asked for: ${why}.`,
     beyondSmallStrain
       ? `Beyond small strain, by some ${digits('strain', 3)}: above 0.1 linear elasticity is no longer accurate.` : '',

@@ -1,5 +1,5 @@
 // (1 − ε²)Q = Σ b_k α^k, α = (2/π) atan(1/Q).
-#include "prediction/quality.hpp"
+#include "quasistatic/quality.hpp"
 
 #include <array>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -10,7 +10,7 @@
 #include "check.hpp"
 #include "quasistatic/lossy_motion.hpp"
 
-namespace stoss::prediction {
+namespace stoss::quasistatic {
 
 double loss_of_quality(double quality) {
   require("quality", quality, {0.5, 1e30, true, true, "0.5 to 1e30"}, "1/Q is the tangent of the angle of loss");
@@ -27,7 +27,7 @@ double loss_number_of_quality(double quality) {
   constexpr double exact = 1e-9;
   if (asked < exact) return first;
   const auto excess = [asked](double number) {
-    const double restitution = lossy_motion(quasistatic::LossyLaw::ting, number).restitution;
+    const double restitution = lossy_motion(LossyLaw::ting, number).restitution;
     return 1.0 - restitution * restitution - asked;
   };
   const double low = 0.9 * first, high = 30.0 * first;  // the loss grows less than x, at Q = 0.5 by a tenth
@@ -38,4 +38,4 @@ double loss_number_of_quality(double quality) {
   return 0.5 * (ends.first + ends.second);
 }
 
-}  // namespace stoss::prediction
+}  // namespace stoss::quasistatic

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace stoss::prediction {
+namespace stoss::quasistatic {
 
 /// 1 − ε² of a slow ball whose material has the same quality Q at all frequencies, whatever its speed.
 ///
@@ -15,4 +15,4 @@ namespace stoss::prediction {
 /// @throws InvalidInput as above
 [[nodiscard]] double loss_number_of_quality(double quality);
 
-}  // namespace stoss::prediction
+}  // namespace stoss::quasistatic
