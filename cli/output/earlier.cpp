@@ -82,7 +82,8 @@ void check_inputs(const Lines& lines, Inputs found, const Provenance& provenance
 }
 
 /// Whether the header is complete, up to the names of the columns. If it is not, there is no row either.
-bool read_header(Lines& lines, const Provenance& provenance, const Columns& columns) {
+/// @param checked whether the last column is that of checksums
+bool read_header(Lines& lines, const Provenance& provenance, const Columns& columns, bool& checked) {
   const auto first = lines.next();
   if (!first) {
     if (csv_origin(provenance).rfind(lines.rest, 0) != 0) refuse_file(lines, lines.rest);
@@ -107,30 +108,40 @@ bool read_header(Lines& lines, const Provenance& provenance, const Columns& colu
     found[line->substr(2, colon - 2)] = line->substr(colon + 2);
   }
   check_inputs(lines, std::move(found), provenance, complete);
-  if (complete && names != csv_columns(columns)) refuse_file(lines, names);
+  const std::string expected = csv_columns(columns);
+  checked = names == fmt::format("{},{}", expected, csv_checksum);
+  if (complete && !checked && names != expected) refuse_file(lines, names);
   return complete;
 }
 
 }  // namespace
 
-std::uintmax_t read_earlier(const Output& output, const Provenance& provenance, const Columns& columns,
-                            const std::function<void(const Row&)>& visit) {
+Earlier read_earlier(const Output& output, const Provenance& provenance, const Columns& columns,
+                     const std::function<void(const Row&)>& visit) {
   Lines lines{shortened(output.path(), longest_path), output.stream()};
-  if (!read_header(lines, provenance, columns)) return 0;
-  std::uintmax_t size = lines.size;
+  Earlier made;
+  if (!read_header(lines, provenance, columns, made.checked)) return {};
+  made.size = lines.size;
   while (const auto line = lines.next()) {
     const long number = lines.count;
     if (*line == csv_interrupted && !lines.next()) break;
-    const auto row = row_of_csv(*line, columns.size());
+    const std::string cells = made.checked ? line->substr(0, line->rfind(',')) : *line;
+    const auto row = row_of_csv(cells, columns.size());
     if (!row) {
       throw InvalidInput(fmt::format(
           "resume: got '{}' as line {} of '{}', allowed a row of {} numbers (mend it, or write another file)",
           excerpt(*line), number, lines.path, columns.size()));
     }
+    if (made.checked && with_checksum(cells) != *line) {
+      throw InvalidInput(fmt::format(
+          "resume: got line {} of '{}' with the checksum of another row, allowed a row as it was written (mend it, or "
+          "write another file)",
+          number, lines.path));
+    }
     visit(*row);
-    size = lines.size;
+    made.size = lines.size;
   }
-  return size;
+  return made;
 }
 
 }  // namespace stoss::cli

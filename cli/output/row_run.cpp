@@ -18,11 +18,17 @@ RowRun::RowRun(RowPlan plan, const RowOptions& options)
     : plan_(std::move(plan)), options_(options), progress_(options.output, plan_.size) {}
 
 Writer RowRun::open(const Provenance& provenance) {
-  if (options_.resume.empty()) return options_.output.writer(provenance, plan_.columns);
-  Output file(options_.resume, Output::Use::resume);  // locked from before the first row is read
-  const auto size = read_earlier(file, provenance, plan_.columns, [this](const Row& row) { take(row); });
-  if (size > 0) return {std::move(file), size};
-  return {std::move(file), Format::csv, provenance, plan_.columns};
+  const OutputOptions& asked = options_.output;
+  const bool file = !asked.path.empty() && asked.path != "-";
+  if (options_.resume.empty() && !(file && asked.chosen_format() == Format::csv)) {
+    return asked.writer(provenance, plan_.columns);
+  }
+  if (options_.resume.empty())
+    return {Output(asked.path, Output::Use::rows), Format::csv, provenance, plan_.columns, true};
+  Output earlier(options_.resume, Output::Use::resume);  // locked from before the first row is read
+  const Earlier its = read_earlier(earlier, provenance, plan_.columns, [this](const Row& row) { take(row); });
+  if (its.size > 0) return {std::move(earlier), its.size, its.checked};
+  return {std::move(earlier), Format::csv, provenance, plan_.columns, true};
 }
 
 void RowRun::write(const Provenance& provenance, const std::function<void()>& compute) {

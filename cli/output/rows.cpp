@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <iterator>
 #include <limits>
@@ -129,6 +130,16 @@ std::string csv_row(const Row& row) {
   std::vector<std::string> cells;
   std::transform(row.begin(), row.end(), std::back_inserter(cells), cell_of_csv);
   return fmt::format("{}", fmt::join(cells, ","));
+}
+
+std::string with_checksum(const std::string& row) {
+  constexpr std::uint32_t polynomial = 0xEDB88320;
+  std::uint32_t sum = 0xFFFFFFFF;
+  for (const char c : row) {
+    sum ^= static_cast<unsigned char>(c);
+    for (int bit = 0; bit < 8; ++bit) sum = (sum >> 1U) ^ ((sum & 1U) != 0 ? polynomial : 0U);
+  }
+  return fmt::format("{},{:08x}", row, ~sum);
 }
 
 std::optional<Row> row_of_csv(const std::string& line, std::size_t width) {

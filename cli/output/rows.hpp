@@ -78,6 +78,12 @@ inline constexpr std::string_view csv_interrupted =
 [[nodiscard]] std::string csv_columns(const Columns& columns);
 [[nodiscard]] std::string csv_row(const Row& row);
 
+/// Name of the last column of a CSV file that a run may continue: of each row, the checksum of what is before it.
+inline constexpr std::string_view csv_checksum = "checksum";
+
+/// A row with its checksum: CRC-32 of its text in eight hexadecimal digits, as in the store of sweeps.
+[[nodiscard]] std::string with_checksum(const std::string& row);
+
 /// The cells of a line of CSV as values: flags, the word unknown, numbers. @return nothing for what is no row
 [[nodiscard]] std::optional<Row> row_of_csv(const std::string& line, std::size_t width);
 

@@ -75,19 +75,22 @@ std::string json_text(const nlohmann::ordered_json& document) {
   return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-Writer::Writer(Output output, Format format, Provenance provenance, Columns columns)
-    : format_(format), columns_(std::move(columns)), output_(std::move(output)) {
+Writer::Writer(Output output, Format format, Provenance provenance, Columns columns, bool checked)
+    : format_(format), columns_(std::move(columns)), checked_(checked), output_(std::move(output)) {
   if (format_ == Format::csv) output_.write(csv_header(provenance));
   if (format_ == Format::json) document_ = json_document(std::move(provenance));
 }
 
-Writer::Writer(Output output, std::uintmax_t size) : format_(Format::csv), begun_(true), output_(std::move(output)) {
+Writer::Writer(Output output, std::uintmax_t size, bool checked)
+    : format_(Format::csv), begun_(true), checked_(checked), output_(std::move(output)) {
   output_.keep(size);
 }
 
 void Writer::begin() {
   begun_ = true;
-  if (format_ == Format::csv) output_.write(csv_columns(columns_) + "\n");
+  if (format_ == Format::csv) {
+    output_.write(csv_columns(columns_) + (checked_ ? "," + std::string(csv_checksum) : "") + "\n");
+  }
   if (format_ == Format::table) output_.write(table_head(columns_));
   if (format_ != Format::json) return;
   for (const Column& column : columns_) {
@@ -103,7 +106,8 @@ void Writer::add(const Row& row, const nlohmann::ordered_json& details) {
     document_["records"].push_back(std::move(object));
     return;
   }
-  output_.write((format_ == Format::csv ? csv_row(row) : table_row(columns_, row)) + "\n");
+  const std::string text = format_ == Format::csv ? csv_row(row) : table_row(columns_, row);
+  output_.write((format_ == Format::csv && checked_ ? with_checksum(text) : text) + "\n");
   output_.end_row();
 }
 

@@ -22,10 +22,11 @@ enum class Format { table, csv, json };
 class Writer {
  public:
   /// The output is to have nothing else.
-  Writer(Output output, Format format, Provenance provenance, Columns columns);
+  /// @param checked each row of CSV ends with its checksum
+  Writer(Output output, Format format, Provenance provenance, Columns columns, bool checked = false);
 
   /// Continues the rows of a CSV file after its first `size` bytes.
-  Writer(Output output, std::uintmax_t size);
+  Writer(Output output, std::uintmax_t size, bool checked);
 
   /// The first row also gives the header.
   /// @param details members of the JSON record, in place of columns of the same name or after them
@@ -48,7 +49,7 @@ class Writer {
 
   Format format_;
   Columns columns_;
-  bool begun_ = false;
+  bool begun_ = false, checked_ = false;
   nlohmann::ordered_json document_;
   Output output_;
 };

@@ -10,6 +10,7 @@ import re
 import reprlib
 from types import MappingProxyType
 from typing import Any, Iterator, Mapping
+import zlib
 
 import numpy as np
 from numpy.typing import NDArray
@@ -130,9 +131,18 @@ def read_csv(path: str | os.PathLike[str]) -> Table:
     for number, row in enumerate(rows[1:], len(lines) - len(body) + 3):
         if len(row) != len(columns):
             raise _damaged(name, f"line {number} has {len(row)} cells, not {len(columns)}")
+    if columns[-1] == CHECKSUM:
+        for line, row in zip(body[1:], rows[1:]):
+            if f"{zlib.crc32(line.rpartition(',')[0].encode()):08x}" != row[-1]:
+                raise _damaged(name, f"the checksum of row {reprlib.repr(line)} is that of another")
+        columns, rows = columns[:-1], [row[:-1] for row in rows]
     cells = zip(*rows[1:]) if len(rows) > 1 else [() for _ in columns]
     arrays = {column: _array(name, column, values) for column, values in zip(columns, cells)}
     return _table(first.group(2), first.group(1), inputs, units, arrays)
+
+
+CHECKSUM = "checksum"
+"""Last column of a file that a run may continue; it is compared and left out."""
 
 
 def _table(

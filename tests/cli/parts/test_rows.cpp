@@ -97,7 +97,8 @@ TEST_F(File, CsvHasAllAndReadsBackAsTheSameValues) {
                              "2,0.3333333333333333,unknown,2,false\n"));
   std::vector<Row> rows;
   const Output file(path_, Output::Use::resume);
-  const auto size = read_earlier(file, provenance_, fields.columns(), [&](const Row& row) { rows.push_back(row); });
+  const auto [size, checked] =
+      read_earlier(file, provenance_, fields.columns(), [&](const Row& row) { rows.push_back(row); });
   EXPECT_EQ(size, std::filesystem::file_size(path_));
   EXPECT_EQ(rows, (std::vector<Row>{{1.0, 0.5, 0.25, 0.1, true}, {2.0, 1.0 / 3.0, std::string(unknown), 2.0, false}}));
 }

@@ -71,6 +71,15 @@ describe.skipIf(!hasCommand)('restitution', { timeout: 60_000 }, () => {
     }
   });
 
+  it('says what the command warns of the loss and the soundness of materials', () => {
+    const granite = madeOf(materialNamed('granite'), { ...ball.first, radius: 1 });
+    const { materialWarnings } =
+      ask('restitution', { ...ball, si: true, first: granite, against: 'same' }, { speed: 0.1, tolerance: 1e-2 }).value;
+    expect(materialWarnings).toHaveLength(2);
+    expect(materialWarnings![0]).toMatch(/^the loss of granite is 149 times too small at 0\.1 m\/s: /);
+    expect(materialWarnings![1]).toMatch(/^granite is taken as sound/);
+  });
+
   it('is there up to the end of a curve, at a soft half-space too', () => {
     for (const kind of ['disk', 'sphere'] as const) {
       const soft: Encounter = { ...one, kind, against: 'half-space', second: { ...one.first, young: 0.02 } };

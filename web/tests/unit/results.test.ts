@@ -46,6 +46,14 @@ describe('the yield speed', () => {
   });
 });
 
+describe('what materials do that was not computed', () => {
+  it('is said as the core says it', () => {
+    const materialWarnings = ['the loss of glass is 1.6 times too large', 'glass is taken as sound'];
+    expect(flags(result(1, { value: 0.9, unit: '' }, { materialWarnings }))).toEqual(
+      ['The loss of glass is 1.6 times too large.', 'Glass is taken as sound.']);
+  });
+});
+
 describe('what rings leave out', () => {
   const said = (value: number): string[] => {
     const quantities = { coupling_tangential_restitution: { value, unit: '' } };
