@@ -27,7 +27,8 @@ void show(std::string_view text) noexcept;
 
 /// Becomes the program that these words call, the first of which is its name: that of a Python environment beside this
 /// one that has the package stoss (build/venv of a build tree, or that in whose bin the command is), else that of PATH
-/// or, where PATH has none, beside this one or where systems have it. It begins with Ctrl-C held back, until it can heed it.
+/// or, where PATH has none, beside this one or where systems have it. It begins with Ctrl-C held back, until it can
+/// heed it.
 /// @throws OutputError if it cannot be run
 [[noreturn]] void become(const std::vector<std::string>& words);
 
