@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "app.hpp"
@@ -137,6 +138,12 @@ void run(const PredictArguments& arguments) {
   if (arguments.output.chosen_format() == Format::table) writer.close_table(channels_of(all) + influences_of(all));
   writer.finish();
   for (const std::string& each : warned) arguments.output.warn(each);
+  const auto unknown = std::count_if(all.begin(), all.end(), [](const Prediction& each) {
+    return !std::isfinite(each.restitution.value) || !std::isfinite(each.restitution.error);
+  });
+  if (unknown == 0) return;
+  arguments.output.warn(fmt::format("{} of {} values not computed, or without an error", unknown, all.size()));
+  throw NotAsAsked{};
 }
 
 }  // namespace

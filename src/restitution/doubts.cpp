@@ -67,15 +67,6 @@ ImpactOptions options_of(const Contact& other, const Contact& contact, const Imp
   return own;
 }
 
-double neglected_share(const Contact& contact, double half_width) {
-  double share = 0.0;
-  if (contact.first->known.neglected) share += contact.first->known.neglected(half_width);
-  if (contact.second != nullptr && contact.second->known.neglected) {
-    share += contact.second->known.neglected(half_width / units_of(contact, 1).length);
-  }
-  return share;
-}
-
 void add_doubts(const RefinableContact& contact, double speed, double stretch, const RestitutionOptions& options,
                 Restitution& result) {
   const Impact& finest = result.finest;

@@ -7,8 +7,8 @@
 namespace stoss {
 
 /// Adds to the errors of a result what is not known of bodies of which only a point is (Knowledge): the difference that
-/// each of their alternatives makes to the finest impact, and the share that is neglected. Whether the result has
-/// converged is a matter of its runs alone.
+/// each of their alternatives makes to the finest impact. Whether the result has converged is a matter of its runs
+/// alone.
 /// @param stretch of the contact, as RefinableContact::at
 void add_doubts(const RefinableContact& contact, double speed, double stretch, const RestitutionOptions& options,
                 Restitution& result);
@@ -23,8 +23,5 @@ enum class Affects { both, along };
 /// unit of length: the same step, and the same motion and gap before.
 [[nodiscard]] ImpactOptions options_of(const Contact& other, const Contact& contact, const Impact& impact,
                                        const Poll& poll);
-
-/// Share of 1 − ε², and of what friction changes, that both bodies leave out.
-[[nodiscard]] double neglected_share(const Contact& contact, double half_width);
 
 }  // namespace stoss

@@ -70,12 +70,7 @@ double cross_mobility(const Contact& contact, double duration) {
 
 void add_unknown(const Contact& contact, ObliqueRestitution& result) {
   const ObliqueImpact& finest = result.finest;
-  const double share = neglected_share(contact, finest.normal.max_half_width);
   const Obliquity& before = result.before;
-  const std::array starts{result.sliding, before.tangential, before.spin, before.second_spin, 0.0, 0.0};
-  for (std::size_t k = 0; k < doubtful.size(); ++k) {
-    (result.*doubtful[k].estimate).error += share * std::abs(doubtful[k].value(finest) - starts[k]);
-  }
   const ObliqueFrame frame(contact, result.speed, {});
   const double impulse = frame.mass * (1.0 + std::abs(finest.restitution)) * result.speed;
   const double given = 2.0 * impulse * cross_mobility(contact, finest.normal.contact_time);

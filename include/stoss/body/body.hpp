@@ -106,9 +106,6 @@ struct Knowledge {
   /// Largest product of the cutoff and the half-width of a contact up to which its shapes follow its modes, c.
   double reach = std::numeric_limits<double>::infinity();
 
-  /// Share of 1 − ε² that a contact of a half-width, R, may be off by, as what is further from the point is not known.
-  std::function<double(double half_width)> neglected{};
-
   /// What the body might be instead, by the errors of the numbers that it was made from, one for each kind of them.
   /// @param other curvature of what it meets, in its own units
   std::function<std::vector<Body>(double other)> alternatives{};

@@ -64,7 +64,8 @@ struct ModeEnergy {
   double average = 0.0;  ///< mean over the steps in contact, of which every fourth is taken
 };
 
-/// Where the energy is after the impact, as shares of the initial energy; the sum is 1 but for energy_error.
+/// Where the energy is after the impact, as shares of the initial energy; the sum is 1 but for energy_error. Of a body
+/// that stays on a plate or strip: at rest on it, when the waves have taken what it had.
 struct EnergyLedger {
   double translation = 0.0;
   double vibration = 0.0;   ///< of the kept modes; in a lossy body it will become heat
@@ -86,15 +87,15 @@ struct Impact {
   double restitution = 0.0;    ///< ε = −v_f / v_i
   double lost_fraction = 0.0;  ///< 1 − ε²
   EnergyLedger energy;
-  double remaining = 0.0;        ///< of a ball that stays on a plate, whose ε is given as 0: the largest share of its
-                                 ///< energy that it may leave with; else 0
-  double contact_time = 0.0;     ///< from the first force to the last, R/c: bodies that touch and do not push are not
-                                 ///< in contact, nor flat ends below 2 % of the greatest force
-  double impulse_time = 0.0;     ///< from 1 % to 99 % of the impulse, R/c: no matter when a last grazing contact ends
-  int contacts = 0;              ///< separate periods of contact
-  double max_force = 0.0;        ///< largest mean over about one step, πRE = mc²/R; of rods, whose force jumps, over
-                                 ///< the period of the highest modes. Of a ball at a wall 4 % above Hertz' at 0.001 c,
-                                 ///< 6 % at 0.004 c: a whole ball is stiffer than a point contact (theory/points.md)
+  double remaining = 0.0;     ///< of a body that stays on a plate or strip, whose ε is given as 0: the largest share
+                              ///< of its energy that it may leave with; else 0
+  double contact_time = 0.0;  ///< from the first force to the last, R/c: bodies that touch and do not push are not
+                              ///< in contact, nor flat ends below 2 % of the greatest force
+  double impulse_time = 0.0;  ///< from 1 % to 99 % of the impulse, R/c: no matter when a last grazing contact ends
+  int contacts = 0;           ///< separate periods of contact
+  double max_force = 0.0;     ///< largest mean over about one step, πRE = mc²/R; of rods, whose force jumps, over
+                              ///< the period of the highest modes. Of a ball at a wall 4 % above Hertz' at 0.001 c,
+                              ///< 6 % at 0.004 c: a whole ball is stiffer than a point contact (theory/points.md)
   double max_compression = 0.0;  ///< R, beyond the wall; beyond the plane V₀e^{αx} = 1 of an exponential one
   double max_half_width = 0.0;   ///< of the contact, R
   double momentum_error = 0.0;   ///< |impulse − change of momentum| / (m v)

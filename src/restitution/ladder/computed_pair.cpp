@@ -52,11 +52,11 @@ Pair pair_of(const BodyMaker& first, const BodyMaker& second) {
   return pair;
 }
 
-double expected_duration(const Pair& pair, double speed) {
+double pair_duration(const Pair& pair, double speed) {
   return stoss::expected_duration(pair.probe, speed) / time_scale(pair.probe);
 }
 
-Contact contact_of(const Pair& pair, double cutoff, double stretch, const Poll& poll) {
+Contact pair_contact(const Pair& pair, double cutoff, double stretch, const Poll& poll) {
   const auto size = [stretch](const Body& body, double usual) {
     if (is_unbounded(body)) return usual * stretch;
     return usual < 1.0 ? std::min(usual * stretch, 1.0) : 1.0;
@@ -72,7 +72,7 @@ double whole_cutoff(const Pair& pair) {
   return std::min(one.highest_cutoff, other.highest_cutoff / UnitRatios(other, one).time);
 }
 
-double highest_cutoff(const Pair& pair) {
+double pair_cutoff(const Pair& pair) {
   const Body &one = *pair.probe.first, &other = *pair.probe.second;
   if (is_unbounded(other)) return one.highest_cutoff / pair.first_size;  // depends on the duration: highest_level
   return std::min(one.highest_cutoff / pair.first_size,

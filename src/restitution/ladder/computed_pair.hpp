@@ -29,15 +29,15 @@ struct Pair {
 [[nodiscard]] Pair pair_of(const BodyMaker& first, const BodyMaker& second);
 
 /// Of a contact, over time_scale.
-[[nodiscard]] double expected_duration(const Pair& pair, double speed);
+[[nodiscard]] double pair_duration(const Pair& pair, double speed);
 
 /// @param stretch of the part, where there is one; it ends with the whole
-[[nodiscard]] Contact contact_of(const Pair& pair, double cutoff, double stretch, const Poll& poll);
+[[nodiscard]] Contact pair_contact(const Pair& pair, double cutoff, double stretch, const Poll& poll);
 
 /// Highest cutoff of both bodies as wholes, c/R of the first.
 [[nodiscard]] double whole_cutoff(const Pair& pair);
 
 /// Highest cutoff of both bodies or of their parts, c/R of the first.
-[[nodiscard]] double highest_cutoff(const Pair& pair);
+[[nodiscard]] double pair_cutoff(const Pair& pair);
 
 }  // namespace stoss

@@ -46,7 +46,7 @@ RefinableContact::RefinableContact(BodyMaker first, BodyMaker second) : Refinabl
   if (!second) throw InvalidInput("against: got no function that makes the body, allowed one, such as disk(poisson)");
   const Pair& pair = ladder_->pair.emplace(pair_of(ladder_->body, second));
   ladder_->unit = 1.0 / time_scale(pair.probe);
-  const double most = highest_cutoff(pair) / ladder_->unit;
+  const double most = pair_cutoff(pair) / ladder_->unit;
   while (ladder_->highest >= 0 && cutoff_at(ladder_->highest) > most) --ladder_->highest;
   if (ladder_->highest + 1 < fewest_levels) {
     refuse_unequal(*pair.probe.first, *pair.probe.second, most / cutoff_at(fewest_levels - 1), "");
@@ -126,7 +126,7 @@ double RefinableContact::stretch(double speed) const {
   if (!ladder_->pair || !is_unbounded(*ladder_->pair->probe.second)) return 1.0;
   // In steps, so that the contacts of neighbouring speeds are the same.
   constexpr double margin = 1.05, steps = 4.0;
-  const double wanted = std::max(1.0, margin * expected_duration(*ladder_->pair, speed) / shortest_contact);
+  const double wanted = std::max(1.0, margin * pair_duration(*ladder_->pair, speed) / shortest_contact);
   return std::exp2(std::ceil(steps * std::log2(wanted)) / steps);
 }
 
@@ -141,7 +141,7 @@ const Contact& RefinableContact::at(double cutoff, double stretch, const Poll& p
   const auto known = ladder_->contacts.find(key);
   if (known != ladder_->contacts.end()) return known->second;
   Contact contact =
-      ladder_->pair ? contact_of(*ladder_->pair, cutoff, stretch, poll) : stoss::contact(ladder_->body(cutoff, poll));
+      ladder_->pair ? pair_contact(*ladder_->pair, cutoff, stretch, poll) : stoss::contact(ladder_->body(cutoff, poll));
   return ladder_->contacts.emplace(key, std::move(contact)).first->second;
 }
 
@@ -149,20 +149,20 @@ Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, 
   const Pair pair = pair_of(first, second);
   if (is_unbounded(*pair.probe.second)) {
     constexpr double margin = 1.25;
-    const double stretch = std::max(1.0, margin * expected_duration(pair, slowest) / shortest_contact);
+    const double stretch = std::max(1.0, margin * pair_duration(pair, slowest) / shortest_contact);
     const Body& second = *pair.probe.second;
     const double most = second.near_side(pair.second_size * stretch, least_cutoff, poll).highest_cutoff /
                         UnitRatios(second, *pair.probe.first).time;
     constexpr std::string_view why = "in c/R of the first body; contacts that last so long meet too many waves above";
     require("cutoff", cutoff, {0.0, most, false, true, "above 0 to " + shown_most(most)}, why);
     try {
-      return contact_of(pair, cutoff, stretch, poll);
+      return pair_contact(pair, cutoff, stretch, poll);
     } catch (const InvalidInput& error) {  // of a lossy one, in its own units
       if (std::string_view(error.what()).substr(0, 7) != "cutoff:") throw;
       throw InvalidInput("cutoff: got " + shown(cutoff) + ", allowed a lower one (" + std::string(why) + ")");
     }
   }
-  const double most = highest_cutoff(pair);
+  const double most = pair_cutoff(pair);
   if (pair.first_size == 1.0 && pair.second_size == 1.0) {
     const Body& second = *pair.probe.second;
     const double of_second = second.highest_cutoff / UnitRatios(second, *pair.probe.first).time;
@@ -171,13 +171,13 @@ Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, 
       require("cutoff", cutoff, {0.0, of_second, false, true, "above 0 to " + shown_most(of_second)},
               "highest frequency in c/R of the first body; above, the second has more modes than are computed");
     }
-    return contact_of(pair, cutoff, 1.0, poll);
+    return pair_contact(pair, cutoff, 1.0, poll);
   }
   constexpr double smallest = 0.5;
   constexpr double none = std::numeric_limits<double>::min();
   require("cutoff", cutoff, {none, most / smallest, true, true, "above 0 to " + shown_most(most / smallest)},
           "highest frequency in c/R of the first body; the larger one has more modes than are computed");
-  return contact_of(pair, cutoff, std::min(1.0, most / cutoff), poll);
+  return pair_contact(pair, cutoff, std::min(1.0, most / cutoff), poll);
 }
 
 }  // namespace stoss
