@@ -77,8 +77,8 @@ void run(const BounceArguments& asked_for) {
   const double first = parse_speed(arguments.speed, units, "that of the first impact");
   const double slowest = slowest_bounce(first);
   catch_interrupts();
-  if (!given(*arguments.command, "--cutoff")) arguments.cutoff = usual_cutoff(encounter, slowest, 20.0);
   const BounceOptions options = make_options(arguments, encounter, units);
+  if (!given(*arguments.command, "--cutoff")) arguments.cutoff = usual_cutoff(encounter, slowest, 20.0, options.poll);
   const Contact contact = contact_of(encounter, arguments.cutoff, slowest, options.poll);
   validate(contact, first, options);
 

@@ -127,11 +127,11 @@ void run(const ImpactArguments& asked_for) {
   check_trajectory(arguments);
   const double speed = parse_speed(arguments.speed, units_of(encounter), "stoss restitution takes lists");
   catch_interrupts();
-  if (!given(*arguments.command, "--cutoff")) arguments.cutoff = usual_cutoff(encounter, speed);
   ImpactOptions options{.resolution = arguments.resolution, .poll = waiting(arguments.output, "impact")};
   options.resolution.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
   const OutputOptions& asked = arguments.output;
   Output output(asked.path);
+  if (!given(*arguments.command, "--cutoff")) arguments.cutoff = usual_cutoff(encounter, speed, 50.0, options.poll);
   const Contact contact = contact_of(encounter, arguments.cutoff, speed, options.poll);
   const Vibration& vibration = encounter.vibration;
   if (!vibration.empty()) options.start = approach(contact, speed, vibration);
@@ -182,7 +182,7 @@ void add_impact(CLI::App& app) {
              "TAIL", "Against");
   add(command, "--cutoff", arguments.cutoff,
       "Modes up to this frequency in c/R are kept (default: 50, or up to which those of a file are known; "
-      "less on a half-space or a plate)",
+      "less on a half-space, a plate or a large body, more on a small one)",
       "OMEGA", "Resolution");
   add(command, "--step", arguments.resolution.step, "Time step in R/c (default: recommended)", "DT", "Resolution");
   add(command, "--nodes", arguments.resolution.nodes, "Contact nodes, 16 to 4096 (default: recommended)", "N",

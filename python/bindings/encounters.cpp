@@ -132,7 +132,9 @@ void bind_encounters(py::module_& module) {
       .def("contact", &contact_at, py::arg("cutoff"), py::arg("slowest"))
       .def(
           "usual_cutoff",
-          [](const Encounter& self, double speed, double most) { return usual_cutoff(self, speed, most); },
+          [](const Encounter& self, double speed, double most) {
+            return computed([&](const Poll& poll) { return usual_cutoff(self, speed, most, poll); });
+          },
           py::arg("speed"), py::arg("most"), "c/R of the first body")
       .def("refinable", [](const Encounter& self) { return refinable(self); })
       .def("slow_law", [](const Encounter& self) { return slow_law(self); })

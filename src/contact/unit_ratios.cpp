@@ -84,7 +84,7 @@ std::size_t shape_rows(const Body& body) {
   return rows;
 }
 
-void require_partners(const Body& first, const Body& second) {
+void require_ratios(const Body& first, const Body& second) {
   require_contours(first, second);
   if (is_unbounded(first)) {
     throw InvalidInput("body: '" + short_name(first) +
@@ -116,6 +116,11 @@ void require_partners(const Body& first, const Body& second) {
     require_young(first, second, units.softness);
     require_ratio("density", units.mass / volume);
   }
+}
+
+void require_partners(const Body& first, const Body& second) {
+  require_ratios(first, second);
+  const UnitRatios units(second, first);
   const double cutoff = second.cutoff / units.time;
   if (std::abs(cutoff - first.cutoff) > unequal * first.cutoff) {
     throw InvalidInput("cutoff: got " + rounded(first.cutoff) + " for the first body and " + rounded(cutoff) +

@@ -47,8 +47,11 @@ struct UnitRatios {
 /// Number of rows of Surface::shape that the modes of a body use.
 [[nodiscard]] std::size_t shape_rows(const Body& body);
 
-/// Checks that two bodies can meet. @throws InvalidInput for contours that do not go together, and for ratios of
-/// length, speed and mass beyond what is computed
+/// Checks that two bodies can meet, at whatever cutoff each is made. @throws InvalidInput for contours that do not go
+/// together, and for ratios of length, speed and mass beyond what is computed
+void require_ratios(const Body& first, const Body& second);
+
+/// The same, and that both have one cutoff.
 void require_partners(const Body& first, const Body& second);
 
 /// Refuses two bodies of which the larger or slower one has more modes than are computed.

@@ -43,4 +43,8 @@ auto to_its_end(const RefinableContact& contact, double cutoff, double speed, do
   }
 }
 
+/// The stretch of a half-space or a plate for which an impact ends before its echo, as a coarse one tells:
+/// RefinableContact::stretch, or more of what is softer and heavier than that expects.
+[[nodiscard]] double lasting_stretch(const RefinableContact& contact, double speed, const Poll& poll);
+
 }  // namespace stoss

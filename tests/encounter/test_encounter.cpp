@@ -49,6 +49,23 @@ TEST(Encounter, HasAUsualCutoff) {
   for (const double wrong : {0.0, -1.0, std::nan("")}) EXPECT_GT(usual_cutoff(block, wrong), 0.0);
 }
 
+TEST(Encounter, HasAUsualCutoffThatUnequalBodiesHave) {
+  Encounter pair{.first = {.kind = "sphere", .values = {{"poisson", 0.3}}}, .against = {.kind = "sphere"}};
+  const auto cutoff = [&](const std::string& name, double value) {
+    pair.against.values = {{name, value}};
+    return usual_cutoff(pair, 0.01);
+  };
+  EXPECT_EQ(cutoff("radius", 0.5), 50.0);
+  EXPECT_EQ(cutoff("radius", 10.0), 50.0);
+  EXPECT_EQ(cutoff("radius", 30.0), 20.0);   // 600 of its own
+  EXPECT_GT(cutoff("radius", 0.03), 300.0);  // 9 of its own
+  EXPECT_LE(cutoff("young", 1e-3), 64.0 / 22.0);
+  EXPECT_THROW((void)cutoff("radius", 100.0), InvalidInput);
+  pair.first.rigid = true;
+  EXPECT_LE(cutoff("young", 1e-4), 600.0 / 100.0);
+  EXPECT_GT(cutoff("young", 1e-4), 20.0 / 100.0);
+}
+
 TEST(Encounter, InSIHasTheUnitsOfTheFirst) {
   const Encounter drop{.first = {.kind = "sphere", .values = {{"radius", 0.005}}, .material = steel},
                        .against = {.kind = "half-space", .material = glass}};

@@ -67,14 +67,16 @@ void validate(const Encounter& encounter);
 /// @throws InvalidInput as validate and contact
 [[nodiscard]] Contact contact_of(const Encounter& encounter, double cutoff, double speed, const Poll& poll = {});
 
-/// Cutoff where none is given, c/R of the first body: `most`, or less up to which the modes of a file are known; on a
-/// half-space, a plate or their like at most 64 over the time_scale and over RefinableContact::stretch, as the modes
-/// that are kept there grow with the square of cutoff and duration. For balls at 1e-8 … 0.1 c on blocks of their own or
-/// ten times their modulus and on plates of 0.5, 1 and 4 R, and at 1e-8 … 0.05 c on a block of a tenth of it and ten
-/// times their density, ε is that of `restitution` to 4e-6 or to its error at the tolerance 1e-4.
+/// Cutoff where none is given, c/R of the first body: `most`, or less up to which the modes of a file are known. Of two
+/// bodies it is higher where the second is much smaller, and lower where one has more than 600 c/R of its own. On a
+/// half-space, a plate or their like it is at most 64 over the time_scale and over the stretch for which it is made
+/// (RefinableContact::stretch), as the modes that are kept there grow with the square of cutoff and duration. For balls
+/// at 1e-8 … 0.1 c on blocks of their own or ten times their modulus and on plates of 0.5, 1 and 4 R, and at
+/// 1e-8 … 0.05 c on a block of a tenth of it and ten times their density, ε is that of `restitution` to 4e-6 or to its
+/// error at the tolerance 1e-4.
 /// @param speed the slowest that is to be computed, c of the first body
-/// @throws InvalidInput as validate
-[[nodiscard]] double usual_cutoff(const Encounter& encounter, double speed, double most = 50.0);
+/// @throws InvalidInput as validate and refinable
+[[nodiscard]] double usual_cutoff(const Encounter& encounter, double speed, double most = 50.0, const Poll& poll = {});
 
 /// SI values of the units of the first body, where it has a material.
 [[nodiscard]] std::optional<Scales> si_scales(const Encounter& encounter);

@@ -22,9 +22,11 @@ constexpr double least_size = 16.0;
 constexpr double least_echo = 36.0;
 
 Contact probed(const BodyMaker& first, const BodyMaker& second) {
-  Body one = first(least_cutoff, {});
-  const UnitRatios units(second(least_cutoff, {}), one);
-  return contact(std::move(one), second(least_cutoff * units.time, {}));
+  const Body one = first(least_cutoff, {}), other = second(least_cutoff, {});
+  require_ratios(one, other);
+  constexpr double alike = 1e6;
+  const double time = UnitRatios(other, one).time, cutoff = time > alike ? least_cutoff / time : least_cutoff;
+  return contact(first(cutoff, {}), second(cutoff * time, {}));
 }
 
 /// @param unit of time of the body, over time_scale

@@ -13,6 +13,7 @@
 #include "check.hpp"
 #include "contact/unit_ratios.hpp"
 #include "restitution/ladder/computed_pair.hpp"
+#include "restitution/lasting.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
@@ -149,7 +150,10 @@ Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, 
   const Pair pair = pair_of(first, second);
   if (is_unbounded(*pair.probe.second)) {
     constexpr double margin = 1.25;
-    const double stretch = std::max(1.0, margin * pair_duration(pair, slowest) / shortest_contact);
+    const RefinableContact refinable(first, second);
+    const double expected = std::max(1.0, margin * pair_duration(pair, slowest) / shortest_contact);
+    const double lasting = lasting_stretch(refinable, slowest, poll);
+    const double stretch = lasting > refinable.stretch(slowest) ? std::max(expected, lasting) : expected;
     const Body& second = *pair.probe.second;
     const double most = second.near_side(pair.second_size * stretch, least_cutoff, poll).highest_cutoff /
                         UnitRatios(second, *pair.probe.first).time;
