@@ -1,6 +1,7 @@
 #include "app.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "input/words.hpp"
 #include "output/help.hpp"
@@ -117,12 +118,31 @@ std::string without_missing_ways(const CLI::App& app, std::string message) {
   return message;
 }
 
+std::string with_options(const CLI::App& app, std::string message) {
+  using Way = std::pair<const char*, std::pair<std::string_view, std::string_view>>;
+  for (const CLI::App* command : app.get_subcommands()) {
+    for (const auto& [option, words] : {Way{"--rigid-body", {"let the first be rigid", " (--rigid-body)"}},
+                                        Way{"--against", {"let the second be rigid", " (--against ...,rigid=1)"}},
+                                        Way{"--against", {"let it be a wall", " (--against wall)"}}}) {
+      const std::size_t at = message.find(words.first);
+      if (at == std::string::npos || command->get_option_no_throw(option) == nullptr) continue;
+      message.insert(at + words.first.size(), words.second);
+    }
+  }
+  return message;
+}
+
 std::string unknown_words(const CLI::App& app) {
   const auto unknown = app.remaining(true);
   if (unknown.empty()) return {};
   const std::string word = unknown.front().substr(0, unknown.front().find('='));
   const std::string similar = nearest(word, candidates(app));
-  return "unknown argument: " + shortened(word) + (similar.empty() ? "" : fmt::format(", did you mean {}?", similar));
+  std::string line = "unknown argument: " + shortened(word);
+  if (!similar.empty()) return line + fmt::format(", did you mean {}?", similar);
+  if (!app.get_subcommands().empty()) return line;
+  std::vector<std::string> names;
+  for (const CLI::App* command : subcommands(app)) names.push_back(command->get_name());
+  return line + fmt::format(", allowed {}", fmt::join(names, ", "));
 }
 
 }  // namespace stoss::cli

@@ -103,6 +103,9 @@ void refuse_empty_values(CLI::App& app);
 /// A message of the core without a way out at its end that the subcommand has no option for.
 [[nodiscard]] std::string without_missing_ways(const CLI::App& app, std::string message);
 
+/// A message of the core with the options that lead to its way out, where the subcommand has them.
+[[nodiscard]] std::string with_options(const CLI::App& app, std::string message);
+
 /// What to say of words that no option or subcommand of `app` has taken; "" if all were taken.
 [[nodiscard]] std::string unknown_words(const CLI::App& app);
 

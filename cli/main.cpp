@@ -57,7 +57,7 @@ int run(int argc, char** argv) {
     if (text.empty()) text = stoss::shortened(error.what(), 160);
     return complain(usage, text + " (see stoss --help or stoss SUBCOMMAND --help)");
   } catch (const stoss::InvalidInput& error) {
-    return complain(bad_input, error.what());
+    return complain(bad_input, stoss::cli::with_options(app, error.what()));
   } catch (const stoss::NotConverged& error) {
     return complain(not_converged, stoss::cli::without_missing_ways(app, error.what()));
   } catch (const stoss::cli::OutputError& error) {

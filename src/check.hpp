@@ -34,6 +34,11 @@ void require_loss_time(double loss_time);
 /// error of 1 − ε², 0 … 0.5.
 void require_tolerance(double tolerance, double absolute);
 
+/// A loss time in another unit of time: none is none, even where that unit is 0. @param rate one over the unit
+[[nodiscard]] inline double in_own_time(double loss_time, double rate) {
+  return loss_time == 0.0 ? 0.0 : loss_time * rate;
+}
+
 /// A number with ten digits, or as many as tell it from every other one: as it was given.
 [[nodiscard]] std::string shown(double value);
 

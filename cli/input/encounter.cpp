@@ -23,6 +23,7 @@ std::vector<std::string> keys_of(const Kind& its) {
   std::vector<std::string> keys;
   for (const Parameter& each : its.parameters) keys.emplace_back(each.name);
   if (its.can_yield) keys.emplace_back("yield");
+  if (its.can_be_rigid) keys.emplace_back("rigid");
   if (!its.wall) keys.emplace_back("material");
   return keys;
 }
@@ -57,6 +58,11 @@ Participant parse_numbers(const Kind& its, const std::vector<std::string>& parts
       against.material_name = without_spaces(value);
     } else if (const double number = parse_number("against " + key, value); key == "yield") {
       yield = number;
+    } else if (key == "rigid") {
+      if (number != 0.0 && number != 1.0) {
+        throw InvalidInput("against rigid: got " + shortened(value) + ", allowed 0 or 1 (1 of a rigid body)");
+      }
+      against.rigid = number == 1.0;
     } else {
       against.values[key] = number;
     }
@@ -229,6 +235,7 @@ void describe(const Encounter& encounter, Json& inputs) {
     inputs[first.material ? "loss_time[s]" : "loss_time"] = found->second;
   }
   inputs["against"] = encounter.against.kind;
+  if (encounter.against.rigid) inputs["against_rigid"] = true;
   describe_against(encounter, inputs);
   describe(encounter.vibration, inputs);
 }

@@ -31,7 +31,7 @@ template <typename Round>
 /// η in R/c of the body.
 template <typename Round>
 [[nodiscard]] double own_loss_time(const Round& round) {
-  return round.loss_time * (wave_speed(round) / round.radius);
+  return in_own_time(round.loss_time, wave_speed(round) / round.radius);
 }
 
 /// Checks all but the Poisson's ratio. @throws InvalidInput

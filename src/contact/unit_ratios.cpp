@@ -31,14 +31,18 @@ void require_ratio_of_half_space(const std::string& name, const Body& of, double
   require_below(name, ratio, 1e6, "1e6", "of the " + short_name(of) + " to the body" + std::string(hint));
 }
 
+/// What to do about waves of the stiffer one that are too fast for the steps of the other.
+std::string_view way_out(const Body& first, const Body& second, bool second_is_stiffer) {
+  if (second_is_stiffer) return is_unbounded(second) ? "let it be a wall" : "let the second be rigid";
+  return is_known_at_a_point(first) ? "take a rigid sphere of its radius in its place" : "let the first be rigid";
+}
+
 /// The modulus of a rigid body is only a unit: whatever it is, ratios to it say nothing.
 void require_young(const Body& first, const Body& second, double softness) {
   if (first.softness == 0.0 || second.softness == 0.0) return;
-  constexpr std::string_view slow = "; the waves of the stiffer one are too fast for the steps of the other: let it ";
   const double ratio = 1.0 / softness;
-  const std::string way = std::string(slow) + (ratio < 1.0            ? "be rigid"
-                                               : is_unbounded(second) ? "be a wall"
-                                                                      : "be rigid");
+  const std::string way = "; the waves of the stiffer one are too fast for the steps of the other: " +
+                          std::string(way_out(first, second, ratio > 1.0));
   if (is_unbounded(second)) {
     require_ratio_of_half_space("young", second, ratio, way);
   } else {

@@ -68,6 +68,11 @@ auto with_given_loss_time(const Participant& of, const Compute& compute) {
     const double given = loss_time_of(of);
     if (line.compare(0, refused.size(), refused) != 0 || !(given > 0.0) || std::isinf(given)) throw;
     const double most = 1e5 * given / std::stod(line.substr(refused.size()));
+    if (!of.material_name.empty() && !of.values.contains("loss_time")) {
+      throw InvalidInput("material: got " + of.material_name + ", whose loss time is " + rounded(given) +
+                         " s, allowed up to " + shown_most(most) +
+                         " s of bodies so small (1e5 R/c; give a loss_time, or larger bodies)");
+    }
     throw InvalidInput("loss_time: got " + shown(given) + ", allowed 0 to " + shown_most(most) +
                        " (eta of stress = (1 + eta d/dt) elastic stress; 1e5 R/c of the body)");
   }

@@ -112,7 +112,8 @@ const Material& named_material(std::string_view name) {
         "material: got 'steel', allowed 'structural steel' (yields at 235 MPa) or 'bearing steel' (at 1.7 GPa): their "
         "yield speeds differ by a factor of 140");
   }
-  const std::string similar = nearest(name, all);
+  std::string similar = nearest(name, all);
+  if (similar.empty() && !nearest(name, {"steel"}).empty()) similar = "structural steel or bearing steel";
   throw InvalidInput("material: got " + in_quotes(name) + ", allowed " + names + ", or numbers of your own" +
                      (similar.empty() ? "" : ", did you mean " + similar + "?"));
 }

@@ -1,5 +1,6 @@
 #include "encounter/participant.hpp"
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -37,6 +38,17 @@ void require_layers(const Participant& of, const Kind& kind) {
       throw InvalidInput(layer + (of.material ? "material: missing (the first layer has one, so all need one)"
                                               : "material: the first layer has none, so none can have one"));
     }
+  }
+}
+
+/// Refuses materials and sizes in SI so far from any that units made of them overflow.
+void require_in_si(const Participant& of, const Kind& kind) {
+  if (!of.material) return;
+  (void)plane_poisson(*of.material, of.plane);  // refuses the material
+  constexpr Range any{1e-30, 1e30, true, true, "1e-30 to 1e30"};
+  for (const Parameter& each : kind.parameters) {
+    const double size = each.unit == "m" ? given_or(of, each.name, 1.0) : 1.0;
+    if (size > 0.0 && std::isfinite(size)) require(each.name, size, any, "in m");
   }
 }
 
@@ -112,6 +124,7 @@ Values all_values(const Participant& of, std::optional<double> poisson, double r
       throw InvalidInput(name + ": the material has it already (leave out " + shown(value) + ", or the material)");
     }
   }
+  require_in_si(of, kind);
   Values all;
   for (const Parameter& each : kind.parameters) {
     const std::string name(each.name);

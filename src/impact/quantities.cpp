@@ -39,7 +39,7 @@ const Quantities<Impact>& impact_quantities() {
 }
 
 std::string note_of_staying() {
-  return "the body stays (stays): the plate is infinite and never returns what it takes, so eps is 0; waves that come "
+  return "the body stays: the plate is infinite and never returns what it takes, so eps is 0; waves that come "
          "back from the rim of a real one may throw the body off";
 }
 

@@ -144,19 +144,22 @@ std::string stays_open(const Restitution& result) {
          shown(std::ceil(1.1e8 * scaled_error(result)) / 1e8) + ")";
 }
 
+/// Unit of its frequencies.
+std::string_view frequency_unit(const Contact& contact) { return has_single_point(contact) ? " c/L" : " c/R"; }
+
 /// @param error of 1 − ε² that was reached
-std::string beyond_reach(const Outlook& next, double highest, bool vibrating, double error) {
+std::string beyond_reach(const Outlook& next, double highest, bool vibrating, double error, std::string_view unit) {
   const auto rounded = [](double x) {
     std::array<char, 32> text{};
     (void)std::snprintf(text.data(), text.size(), "%.2g", x);
     return std::string(text.data());
   };
   const auto whole = [&](double x) { return x < 10.0 ? rounded(x) : std::to_string(std::lround(x)); };
-  const std::string needed = next.cutoff < 1e5
-                                 ? "up to " + whole(std::max(next.cutoff, highest)) + " c/R, the limit is "
-                                 : "far above the limit of ";
+  const std::string needed =
+      next.cutoff < 1e5 ? "up to " + whole(std::max(next.cutoff, highest)) + std::string(unit) + ", the limit is "
+                        : "far above the limit of ";
   return "did not reach the tolerance: that needs modes " + needed + whole(highest) +
-         (next.cutoff < 1e5 ? "" : " c/R") +
+         (next.cutoff < 1e5 ? "" : std::string(unit)) +
          (next.reachable < 0.5
               ? (vibrating ? "; try an absolute error of " : "; try a tolerance of ") + rounded(next.reachable)
               : ", as so little is lost; try an absolute error of " + rounded(1.05 * error)) +
@@ -247,7 +250,7 @@ Restitution refined(const RefinableContact& contact, double speed, const Restitu
     result.lost_fraction.error = result.restitution.error = std::numeric_limits<double>::infinity();
   result.converged = false;  // two or three runs that agree are not enough
   result.reason = trouble.empty() ? beyond_reach(next, contact.cutoff(highest), !options.vibration.empty(),
-                                                 result.lost_fraction.error)
+                                                 result.lost_fraction.error, frequency_unit(contact.at(0)))
                                   : trouble;
   throw RestitutionNotConverged(std::move(result));
 }

@@ -111,7 +111,7 @@ REFUSED = [
     ("wall,radius=2", "against", "none with wall"),
     ("same,radius=2", "against", "none with same"),
     ("disk,raduis=2", "against", "did you mean radius?"),
-    ("disk,length=2", "against", "allowed poisson, radius, young, density, loss_time, material with disk"),
+    ("disk,length=2", "against", "allowed poisson, radius, young, density, loss_time, rigid, material with disk"),
     ("disk,", "against", "''"),
     (",", "against", "''"),
     ("disk,radius", "against", "allowed radius=NUMBER"),

@@ -76,7 +76,7 @@ def test_a_value_that_there_is_not_is_no_nan(stoss):
     # hard on soft: the reason, and the way out
     ("--poisson 0.3 --against half-space,young=1e-4",
      "young ratio: got 0.0001, allowed 0.001 to 1e6 (of the half-space to the body; the waves of the stiffer one are too "
-     "fast for the steps of the other: let it be rigid)"),
+     "fast for the steps of the other: let the first be rigid (--rigid-body))"),
     ("--poisson 0.3 --against plate,thickness=1,young=1e-4", "of the plate to the body"),
     ("--poisson 0.3 --against half-space,young=1e7", "let it be a wall"),
     ("--poisson 0.3 --against sphere,young=1e4", "of the second body to the first; the waves"),

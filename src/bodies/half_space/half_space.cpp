@@ -28,7 +28,7 @@ struct Solid {
   double poisson, young, density, loss_time;
 
   /// η in its own unit of time.
-  [[nodiscard]] double own_loss_time() const { return loss_time * std::sqrt(young / density); }
+  [[nodiscard]] double own_loss_time() const { return in_own_time(loss_time, std::sqrt(young / density)); }
 };
 
 Solid solid(const HalfSpace& given) {

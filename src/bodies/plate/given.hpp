@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bodies/plate/sheet.hpp"
+#include "check.hpp"
 #include "stoss/bodies/plate.hpp"
 
 namespace stoss::bodies::plate {
@@ -17,7 +18,7 @@ struct Given {
   [[nodiscard]] double speed() const;
 
   /// η in its own unit of time.
-  [[nodiscard]] double own_loss_time() const { return loss_time * speed(); }
+  [[nodiscard]] double own_loss_time() const { return in_own_time(loss_time, speed()); }
 
   /// "plate" or "strip"
   [[nodiscard]] const char* kind() const { return contour == Contour::ball ? "plate" : "strip"; }

@@ -18,7 +18,9 @@ namespace {
 constexpr double highest_cutoff = 1e6;
 
 /// η in L/c
-double own_loss_time(const Rod& rod) { return rod.loss_time * (std::sqrt(rod.young / rod.density) / rod.length); }
+double own_loss_time(const Rod& rod) {
+  return in_own_time(rod.loss_time, std::sqrt(rod.young / rod.density) / rod.length);
+}
 
 void require_rod(const Rod& rod) {
   constexpr Range positive{0.0, std::numeric_limits<double>::max(), false, true, "a positive finite number"};

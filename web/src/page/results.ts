@@ -86,7 +86,7 @@ export function flags(
     coupling <= noticeableCoupling ? ''
       : `In unequal spheres pressure and friction act on each other. Left out here, that may change ε_t by ${
         Number.isFinite(coupling) ? significant(coupling, 2) : 'an unknown amount'}.`,
-    note && `${note.charAt(0).toUpperCase()}${note.slice(1).replace(' (stays)', '').replace('eps', 'ε')}.`,
+    note && `${note.charAt(0).toUpperCase()}${note.slice(1).replace('eps', 'ε')}.`,
     ...(materialWarnings ?? []).map((line) => `${line.charAt(0).toUpperCase()}${line.slice(1)}.`),
     converged ? '' : `Not as accurate as asked for: ${why}.`,
     beyondSmallStrain
