@@ -49,6 +49,18 @@ std::optional<double> on_a_strip(const Contact& contact, double speed, const Slo
 
 }  // namespace
 
+bool stays_unseen(const Contact& contact, double speed, double time) {
+  constexpr double surely = 20.0;                    // λ of a ball that is almost thrown back no more
+  constexpr double of_speed = 0.55, of_ball = 0.35;  // of κ over vR, and of κt over R²
+  if (!contact.gives_way || !(contact.second->part.mobility > 0.0)) return false;
+  const UnitRatios units = units_of(contact, 1);
+  // κ = √(D/ρh), as giving over mobility is 4√(κ/2π), whether of a plate or of a strip of it.
+  const double over = contact.second->part.giving / (4.0 * contact.second->part.mobility);
+  const double spreading = 2.0 * std::numbers::pi * over * over * units.length * units.length / units.time;
+  return spreading < of_speed * speed && spreading * time < of_ball &&
+         zener_scales(contact, speed).inelasticity > surely;
+}
+
 std::optional<double> rebound_of_staying(const Contact& contact, double speed, const Slowing& before,
                                          const Slowing& now) {
   if (!contact.gives_way || (!now.touches && now.velocity < 0.0)) return std::nullopt;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "check.hpp"
+#include "contact/staying.hpp"
 #include "impact/whole_bodies.hpp"
 #include "stoss/restitution/ladder.hpp"
 
@@ -18,6 +19,18 @@ class DoesNotEnd : public NotConverged {
   explicit DoesNotEnd(double time)
       : NotConverged("restitution: the contact with the plate has not ended after " + shown(std::round(time)) +
                      " R/c (the body stays on it, or leaves later than is computed)") {}
+
+ protected:
+  explicit DoesNotEnd(const std::string& reason) : NotConverged("restitution: " + reason) {}
+};
+
+/// The same, known before it is computed.
+class StaysUnseen : public DoesNotEnd {
+ public:
+  StaysUnseen()
+      : DoesNotEnd(
+            std::string("the plate is so thin that the ball presses into it faster than waves of bending spread, "
+                        "and stays on it for longer than is computed (a thicker plate, or a lower speed)")) {}
 };
 
 /// compute(contact) with the contact at a cutoff; with a half-space or a plate made anew for a longer time where an
@@ -29,13 +42,17 @@ auto to_its_end(const RefinableContact& contact, double cutoff, double speed, do
                 const Compute& compute) {
   constexpr double room_on_a_plate = 8.0;  // of which what is expected is rough
   const double longest = room_to_last * stretch / std::numbers::sqrt2;
+  const double most = room_on_a_plate * contact.stretch(speed);
+  if (const Contact& probe = contact.at(0, poll); stays_unseen(probe, speed, most * echo_time(probe))) {
+    throw StaysUnseen();
+  }
   for (;; stretch *= std::numbers::sqrt2) {
     const Contact& resolved = contact.at(cutoff, stretch, poll);
     try {
       return compute(resolved);
     } catch (const Outlasted&) {
       if (resolved.gives_way) {
-        if (stretch >= room_on_a_plate * contact.stretch(speed)) throw DoesNotEnd(echo_time(resolved));
+        if (stretch >= most) throw DoesNotEnd(echo_time(resolved));
       } else if (!resolved.unbounded || stretch > longest) {
         throw;
       }

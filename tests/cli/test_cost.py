@@ -98,3 +98,18 @@ def test_an_oblique_ladder_without_hope_ends_with_the_best_value(stoss, argument
     assert '"converged": false' in result.stdout, result.stderr
     assert "use a larger tolerance, from" in result.stderr
     assert used < 12.0
+
+
+@pytest.mark.parametrize(
+    "who",
+    [
+        "--speed 0.01 --against plate,thickness=0.001,young=0.05",
+        "--speed 0.3 --rigid-body --against plate,thickness=0.01",
+        "--speed 0.01 --rigid-body --against plate,thickness=0.01",
+    ],
+)
+def test_a_ball_that_stays_unseen_on_a_thin_plate_is_told_at_once(stoss, who):
+    result, used = bounded(stoss, f"restitution --body sphere --poisson 0.3 {who}", 20)
+    assert result.returncode == 1
+    assert "stays on it for longer than is computed" in result.stderr
+    assert used < 1.0

@@ -129,7 +129,9 @@ void give_way(const Given& given, BodyPart& part) {
       1.0 / (2.0 * mass * std::sqrt(2.0 * std::numbers::pi * std::sqrt(stiffness / mass))) / unit / std::sqrt(unit);
   const bool ball = given.contour == Contour::ball;
   part.gives_way = std::isnormal(ball ? mobility : giving);
-  if (part.gives_way) (ball ? part.mobility : part.giving) = ball ? mobility : giving;
+  if (!part.gives_way) return;
+  part.giving = giving;
+  if (ball) part.mobility = mobility;
 }
 
 Body made(const Given& given, double cutoff, double duration, const Poll& poll) {
