@@ -122,7 +122,9 @@ double refine(const RefinableContact& contact, const ObliqueOptions& options, st
   const int of_stable = plan.mixing && plan.too_fine() ? last_level_of_too_fine : last_level;
   const int asked = plan.unstable ? last_level_of_unstable : of_stable;
   const Levels levels = levels_of(contact, speed, stretch, asked, options.poll);
-  for (int level = levels.lowest; level <= levels.highest && !open.empty(); level += rungs) {
+  // Three runs make a value: of bodies so unequal that there are but three levels, at each of them.
+  const int between = levels.highest - levels.lowest < 2 * rungs ? 1 : rungs;
+  for (int level = levels.lowest; level <= levels.highest && !open.empty(); level += between) {
     std::vector<ObliqueImpact> impacts;
     try {
       impacts = of_own_choice([&] {

@@ -155,6 +155,8 @@ void give_up(const ObliquePlan& plan, ObliqueRestitution& result) {
     } else if (is_out_of_reach(result)) {
       result.reason = "the body stays, and how it slides in the end is known no better (use a larger tolerance, from " +
                       rounded_up(result.sliding_after.error / scale_of(result)) + ")";
+    } else if (result.reason.empty() && result.runs.size() < three_runs) {
+      result.reason = "no more than two cutoffs could be computed, and two that agree may do so by chance";
     } else if (result.reason.empty()) {
       result.reason =
           "the tolerance asks for " +
