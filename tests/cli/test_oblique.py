@@ -161,8 +161,8 @@ def test_disks_as_unequal_as_is_documented_have_a_value(stoss):
         (found,) = stoss.data(f"{job}{radius}")
         assert found["converged"] == "true"
         for name in ("restitution", "tangential_restitution"):
-            error = number(found[f"{name}_error"]) + number(known[f"{name}_error"])
-            assert abs(number(found[name]) - number(known[name])) < error < 2e-3
+            error = number(found, f"{name}_error") + number(known, f"{name}_error")
+            assert abs(number(found, name) - number(known, name)) < error < 2e-3
 
 
 def test_nothing_slides(stoss):
