@@ -11,7 +11,7 @@ namespace stoss::cli {
 
 Progress::Progress(const OutputOptions& output, std::size_t total)
     : terminal_(!output.quiet && stderr_is_terminal()),
-      visible_(terminal_ && !output.path.empty() && output.path != "-"),
+      visible_(terminal_ && ((!output.path.empty() && output.path != "-") || !stdout_is_terminal())),
       total_(total) {}
 
 void Progress::show(std::size_t done) {

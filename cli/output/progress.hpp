@@ -9,7 +9,7 @@
 
 namespace stoss::cli {
 
-/// On a terminal: a bar while rows go to a file, and what is being done while a row takes longer than a second.
+/// On a terminal: a bar while rows go elsewhere, and what is being done while a row takes longer than a second.
 /// Nothing elsewhere.
 class Progress {
  public:

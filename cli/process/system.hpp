@@ -14,6 +14,9 @@ void prepare_streams();
 /// Whether somebody sees what is written on stderr as it comes.
 [[nodiscard]] bool stderr_is_terminal();
 
+/// Whether somebody sees what is written on stdout as it comes.
+[[nodiscard]] bool stdout_is_terminal();
+
 inline constexpr std::size_t usual_width = 80;
 
 /// Characters in a line of the terminal that stdout is, or 80 if it is none.

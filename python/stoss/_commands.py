@@ -93,6 +93,11 @@ def say(text: str, end: str = "\n") -> None:
         _forget(sys.stderr)
 
 
+def on_terminal() -> bool:
+    """Whether somebody sees how far a command is."""
+    return sys.stderr is not None and sys.stderr.isatty()
+
+
 def _forget(stream: Any) -> None:
     """Let what a stream has not written go nowhere, where Python would complain of it at the end."""
     with contextlib.suppress(OSError, ValueError, AttributeError):

@@ -49,6 +49,7 @@ void validate(const RefinableContact& contact, const std::vector<ObliqueCase>& c
     rough = rough || each.before.friction > 0.0;
   }
   if (rough) (void)contacts_along(probe, options.each.poll);
+  if (!probe.unbounded) (void)contact.highest_whole_level();  // refuses bodies that are too unequal
   if (options.each.vibration.empty()) return;
   const auto slower = [](const ObliqueCase& a, const ObliqueCase& b) { return a.speed < b.speed; };
   validate(contact, std::min_element(cases.begin(), cases.end(), slower)->speed, options.each.vibration,

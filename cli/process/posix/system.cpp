@@ -70,6 +70,8 @@ void prepare_streams() {
 
 bool stderr_is_terminal() { return isatty(STDERR_FILENO) != 0; }
 
+bool stdout_is_terminal() { return isatty(STDOUT_FILENO) != 0; }
+
 std::size_t terminal_width() {
   winsize size{};
   return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual_width;

@@ -29,6 +29,8 @@ void prepare_streams() {
 
 bool stderr_is_terminal() { return _isatty(_fileno(stderr)) != 0; }
 
+bool stdout_is_terminal() { return _isatty(_fileno(stdout)) != 0; }
+
 std::size_t terminal_width() {
   CONSOLE_SCREEN_BUFFER_INFO its{};
   if (GetConsoleScreenBufferInfo(GetStdHandle(STD_OUTPUT_HANDLE), &its) == 0) return usual_width;

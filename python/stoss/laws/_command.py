@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 from typing import Sequence
 
-from stoss._commands import Parser, guarded, put, say
+from stoss._commands import Parser, guarded, on_terminal, put, say
 from stoss._errors import StossWarning
 from stoss.export._files import require_writable
 from stoss.laws._fit import fit
@@ -35,7 +35,7 @@ def _fit(words: Sequence[str]) -> int:
         warnings.simplefilter("always", StossWarning)
         found = fit(
             body, against=met, law=given.law, speed=given.speed, friction=given.friction, program=given.program,
-            threads=given.threads,
+            threads=given.threads, progress=on_terminal(),
         )  # fmt: skip
     if output:
         found.write(output)

@@ -5,12 +5,13 @@ from __future__ import annotations
 from numpy.typing import ArrayLike
 
 from stoss import _core
-from stoss._arguments import choice, integer, number, numbers
+from stoss._arguments import boolean, choice, integer, number, numbers
 from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
 from stoss.bodies._encounter import choose_against, choose_body, encounter
 from stoss.bodies._walls import HardWall, Unbounded
+from stoss.results._progress import waiting
 from stoss.results._rule import CollisionRule
 from stoss.results._si import warn_at
 
@@ -28,6 +29,7 @@ def collision_rule(
     tolerance: float = 2e-2,
     beyond: str = "error",
     threads: int = 0,
+    progress: bool = False,
 ) -> CollisionRule:
     """Compute the whole collision rule with friction as a function, with errors that hold everywhere.
 
@@ -65,7 +67,7 @@ def collision_rule(
     rubbing = None if friction is None else number("friction", friction)
     limits, count = (number("error", error), number("tolerance", tolerance)), integer("threads", threads)
     pairs = {name: (float(ends[0]), float(ends[1])) for name, ends in ranges.items()}
-    with speeds_in_si(chosen):
+    with speeds_in_si(chosen), waiting(boolean("progress", progress), "collision_rule"):
         made = _core.adaptive_rule(encounter(chosen, met), pairs["speed"], pairs.get("ratio"), *limits, rubbing, count)
     normal, along, alike = made.given()
     warn_at(chosen, met, pairs["speed"], 2)

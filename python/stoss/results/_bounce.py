@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core
-from stoss._arguments import integer, number, optional_number
+from stoss._arguments import boolean, integer, number, optional_number
 from stoss._documentation import documented
 from stoss._errors import Interrupted, NotConverged, StossWarning
 from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
@@ -18,6 +18,7 @@ from stoss.bodies._encounter import Against, choose_against, choose_body, choose
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import UNBOUNDED, ExponentialWall, HardWall
 from stoss.export._text import span
+from stoss.results._progress import waiting
 from stoss.results._result import RowResult, columns, picture
 from stoss.results._si import MayYield, Si, warn_of_large_strain, warn_of_materials
 
@@ -101,6 +102,7 @@ def bounce(
     cutoff: float | None = None,
     tail: str = "radiating",
     state: State = None,
+    progress: bool = False,
 ) -> Bounces:
     """Impacts of a body that comes back to a wall or a half-space with the vibration it has kept.
 
@@ -149,7 +151,7 @@ def bounce(
     answer, modes = choose_tail(tail), choose_state(state)
     done: list[NDArray[Any]] = []
     stopped, reason = False, ""
-    with speeds_in_si(chosen):
+    with speeds_in_si(chosen), waiting(boolean("progress", progress), "bounce"):
         resolved = contact(chosen, met, at, slowest)
         try:
             reason = _core.bounce(resolved, answer, first, times, flight, weight, decay, modes, done)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Sequence
 
-from stoss._commands import Parser, guarded
+from stoss._commands import Parser, guarded, on_terminal
 from stoss.export._files import require_writable
 from stoss.results._adaptive_rule import collision_rule
 from stoss.sweeps._specification import of_document
@@ -30,7 +30,7 @@ def _write(words: Sequence[str]) -> int:
     body, met = of_document(given.encounter)
     rule = collision_rule(
         body, against=met, speed=given.speed, ratio=given.ratio, friction=given.friction, error=given.error,
-        tolerance=given.tolerance, threads=given.threads,
+        tolerance=given.tolerance, threads=given.threads, progress=on_terminal(),
     )  # fmt: skip
     rule.to_netcdf(given.output)
     return 0

@@ -16,7 +16,7 @@ from stoss.bodies._encounter import choose_against, choose_bodies, choose_body, 
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded
 from stoss.export._text import with_error
-from stoss.results._progress import bar
+from stoss.results._progress import bar, waiting
 from stoss.results._restitution import Restitution
 from stoss.results._result import Column, Result, columns, picture
 from stoss.results._si import finished
@@ -156,7 +156,7 @@ class Extrapolation(Result):
 
 
 def extrapolated_restitution(
-    *, poisson: float, speed: float, cutoffs: ArrayLike = (), hardnesses: ArrayLike = ()
+    *, poisson: float, speed: float, cutoffs: ArrayLike = (), hardnesses: ArrayLike = (), progress: bool = False
 ) -> Extrapolation:
     """Compute ε as Gerl and Zippelius do: exponential walls and two extrapolations.
 
@@ -170,6 +170,7 @@ def extrapolated_restitution(
             300, 400, 600 and 940 modes.
         hardnesses (array_like, optional): αR, at least three, ascending; default: αv/c = 25, 33, 50
             and 100.
+        progress (bool, optional): Say on stderr for how long it has gone on.
 
     Examples:
         >>> stoss.extrapolated_restitution(poisson=0.33, speed=0.1)
@@ -177,5 +178,6 @@ def extrapolated_restitution(
     """
     nu, v = number("poisson", poisson), number("speed", speed)
     series = (numbers("cutoffs", cutoffs).ravel(), numbers("hardnesses", hardnesses).ravel())
-    found = _core.extrapolated_restitution(nu, v, *series)
+    with waiting(boolean("progress", progress), "extrapolated_restitution"):
+        found = _core.extrapolated_restitution(nu, v, *series)
     return Extrapolation(poisson=nu, speed=v, **found)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss._arguments import choice, integer, number, numbers, refusal
+from stoss._arguments import boolean, choice, integer, number, numbers, refusal
 from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
@@ -19,6 +19,7 @@ from stoss.bodies._encounter import Against, choose_against, choose_body, encoun
 from stoss.bodies._walls import HardWall, Unbounded
 from stoss.export._files import write_lines
 from stoss.export._text import brief_range
+from stoss.results._progress import waiting
 from stoss.results._result import Column, picture
 from stoss.results._si import SpeedInSi, warn_at
 
@@ -186,6 +187,7 @@ def restitution_function(
     error: float = 1e-3,
     beyond: str = "error",
     threads: int = 0,
+    progress: bool = False,
 ) -> RestitutionFunction:
     """Compute ε as a function of the speed, with an error that is kept at every speed of a range.
 
@@ -222,7 +224,7 @@ def restitution_function(
     slowest, fastest = (float(each) for each in ends / speed_unit(chosen))
     outside = choose_beyond(beyond, chosen, met, None)
     limit, count = number("error", error), integer("threads", threads)
-    with speeds_in_si(chosen):
+    with speeds_in_si(chosen), waiting(boolean("progress", progress), "restitution_function"):
         made = _core.adaptive_function(refinable(chosen, met), slowest, fastest, limit, count)
     function = function_of(chosen, met, outside, None, *made.knots(), made.interpolation_errors())
     warn_at(chosen, met, function.speed, 2)

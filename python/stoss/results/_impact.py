@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss._arguments import flags, integer, number, optional_number
+from stoss._arguments import boolean, flags, integer, number, optional_number
 from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body, Rod, shown, speed_unit, speeds_in_si
@@ -17,6 +17,7 @@ from stoss.bodies._encounter import Against, choose_against, choose_body, choose
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import ExponentialWall, HardWall
 from stoss.results import _replay, _sound
+from stoss.results._progress import waiting
 from stoss.results._si import ImpactsInSi, Si, warn_of_materials
 
 
@@ -141,6 +142,7 @@ def impact(
     tail: str = "radiating",
     keep: ArrayLike | None = None,
     state: State = None,
+    progress: bool = False,
 ) -> Impact:
     """One impact of an elastic body at a fixed resolution, with its energy ledger.
 
@@ -197,7 +199,7 @@ def impact(
         hint = "elsewhere the compliance of the other modes counts"
         got = f"a selection of modes and {met!r}"
         raise InvalidInput(f"keep: got {got}, allowed only with a stoss.ExponentialWall ({hint})")
-    with speeds_in_si(chosen):
+    with speeds_in_si(chosen), waiting(boolean("progress", progress), "impact"):
         result = Impact._made(chosen, met, initial, at, answer, resolution, kept, state)
     warn_of_materials(result, 2)
     return result

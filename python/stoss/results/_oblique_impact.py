@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core
-from stoss._arguments import integer, number, optional_number
+from stoss._arguments import boolean, integer, number, optional_number
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body, shown, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against, choose_body, choose_cutoff, contact
@@ -18,6 +18,7 @@ from stoss.bodies._walls import HardWall, Unbounded
 from stoss.results import _oblique_trajectory
 from stoss.results._oblique_ledger import ObliqueLedger
 from stoss.results._obliquity import MOTION, Oblique, choose_motion, explained
+from stoss.results._progress import waiting
 from stoss.results._si import ImpactsInSi, warn_of_materials
 
 
@@ -129,6 +130,7 @@ def oblique_impact(
     nodes: int | None = None,
     half_width: float | None = None,
     state: State = None,
+    progress: bool = False,
 ) -> ObliqueImpact:
     """One oblique impact with friction at a fixed resolution, with its ledger and its course in time.
 
@@ -160,7 +162,7 @@ def oblique_impact(
     highest = choose_cutoff(cutoff, chosen, met, float(motion[0]))
     count = None if nodes is None else integer("nodes", nodes)
     resolution = optional_number("step", step), count, optional_number("half_width", half_width)
-    with speeds_in_si(chosen):
+    with speeds_in_si(chosen), waiting(boolean("progress", progress), "oblique_impact"):
         result = ObliqueImpact._made(
             chosen, met, tuple(float(each) for each in motion), highest, resolution, state
         )

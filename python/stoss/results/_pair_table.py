@@ -10,13 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss._arguments import choice, integer, number, numbers, refusal
+from stoss._arguments import boolean, choice, integer, number, numbers, refusal
 from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body, Disk, Sphere, shown, speed_unit, speeds_in_si
 from stoss.bodies._encounter import choose_against, choose_body, encounter
 from stoss.bodies._solid import is_rigid
 from stoss.export._text import brief_range
+from stoss.results._progress import waiting
 from stoss.results._result import Column, picture
 from stoss.results._si import SpeedInSi, warn_at
 
@@ -120,6 +121,7 @@ def pair_table(
     error: float = 1e-3,
     beyond: str = "error",
     threads: int = 0,
+    progress: bool = False,
 ) -> PairTable:
     """Compute ε of two bodies as a function of the speed and of the ratio of their radii.
 
@@ -154,7 +156,7 @@ def pair_table(
             raise InvalidInput(f"{name}: got an array of shape {ends.shape}, allowed two numbers, smallest and largest")
     outside = choice("beyond", beyond, ("error", "clamp"))
     limit, count = number("error", error), integer("threads", threads)
-    with speeds_in_si(chosen):
+    with speeds_in_si(chosen), waiting(boolean("progress", progress), "pair_table"):
         speeds, ratios = ([float(end) for end in each] for each in ranges.values())
         made = _core.adaptive_pair_table(encounter(chosen, met), speeds, ratios, limit, count)
     v, r, value, bars, interpolation, alike = made.given()

@@ -9,13 +9,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss._arguments import arranged, instance, integer, number, numbers, optional_number, refusal
+from stoss._arguments import arranged, boolean, instance, integer, number, numbers, optional_number, refusal
 from stoss._documentation import documented
 from stoss._errors import InvalidInput, StossWarning
 from stoss.bodies._bodies import BODIES, PARTNERS, Sphere
 from stoss.bodies._encounter import Against, drop_encounter
 from stoss.bodies._walls import ExponentialWall, HardWall, Unbounded
 from stoss.results._prediction import CHANNELS, Influence, Prediction
+from stoss.results._progress import waiting
 from stoss.results._result import QUANTITIES
 
 
@@ -30,6 +31,7 @@ def predict(
     uncertainties: Mapping[str, float] | None = None,
     tolerance: float = 1e-3,
     threads: int = 0,
+    progress: bool = False,
 ) -> Prediction:
     """Predict ε of a real ball, with all that takes energy, channel by channel.
 
@@ -70,7 +72,8 @@ def predict(
     work, known = optional_number("adhesion", adhesion), _choose_uncertainties(uncertainties)
     limit, count = number("tolerance", tolerance), integer("threads", threads)
     meeting = drop_encounter(ball, met)
-    rows = _core.predict(meeting, speeds.ravel(), work, known, limit, count)
+    with waiting(boolean("progress", progress), "predict"):
+        rows = _core.predict(meeting, speeds.ravel(), work, known, limit, count)
     for row in rows:
         row["influences"] = tuple(Influence(*each) for each in row["influences"])
         row["warnings"] = tuple(row["warnings"])

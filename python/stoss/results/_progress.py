@@ -1,10 +1,15 @@
-"""A bar on stderr while a curve is computed."""
+"""What stderr shows while something is computed: a bar where values can be counted, else for how long it has gone on."""
 
 from __future__ import annotations
 
 import contextlib
 import sys
-from typing import Any
+import threading
+import time
+from typing import Any, Iterator
+
+PATIENCE, PAUSE = 1.0, 0.5
+"""Seconds before the first line of `waiting`, and to the next."""
 
 
 class PlainBar:
@@ -21,8 +26,8 @@ class PlainBar:
     def __exit__(self, *_: object) -> None:
         print(file=sys.stderr)
 
-    def update(self) -> None:
-        self._done += 1
+    def update(self, done: int = 1) -> None:
+        self._done += done
         self._show()
 
     def _show(self) -> None:
@@ -39,3 +44,31 @@ def bar(total: int, wanted: bool, name: str = "restitution") -> Any:
     except ImportError:
         return PlainBar(total)
     return tqdm(total=total, desc=name, unit="value")
+
+
+@contextlib.contextmanager
+def waiting(wanted: bool, name: str) -> Iterator[None]:
+    """A context that says for how long a call has gone on which cannot count what it does, if that is wanted.
+
+    The core lets other threads run meanwhile: one of them writes the line.
+    """
+    if not wanted or sys.stderr is None:
+        yield
+        return
+    ended, begun = threading.Event(), time.monotonic()
+
+    def tell() -> None:
+        pause, shown = PATIENCE, False
+        while not ended.wait(pause):
+            print(f"\r{name}: {time.monotonic() - begun:.1f} s", end="", file=sys.stderr, flush=True)
+            pause, shown = PAUSE, True
+        if shown:
+            print(file=sys.stderr, flush=True)
+
+    teller = threading.Thread(target=tell, name="stoss progress", daemon=True)
+    teller.start()
+    try:
+        yield
+    finally:
+        ended.set()
+        teller.join()

@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss._arguments import choice, integer, number, numbers, optional_number, refusal
+from stoss._arguments import boolean, choice, integer, number, numbers, optional_number, refusal
 from stoss._errors import Interrupted, InvalidInput, NotConverged
 from stoss.bodies._bodies import Rod
 from stoss.bodies._encounter import choose_tail
 from stoss.export._text import span
+from stoss.results._progress import waiting
 from stoss.results._result import Column, Result, columns, picture
 
 SI = {"time": "s", "translation": "J", "vibration": "J", "dissipated": "J", "unresolved": "J", "momentum": "kg m/s"}
@@ -115,6 +116,7 @@ def rod_chain(
     modes: int = 50,
     pieces: int = 400,
     tail: str = "radiating",
+    progress: bool = False,
 ) -> RodChain:
     """Let elastic rods move on a ring, meet head-on and vibrate from what they met.
 
@@ -145,6 +147,7 @@ def rod_chain(
             are merged.
         tail ({'radiating', 'static'}): With modes: those above the cutoff take energy for good, or
             none.
+        progress (bool, optional): Say on stderr for how long it has gone on.
 
     Examples:
         >>> rods = [stoss.Rod(length=length) for length in (1.0, 1.1, 0.9, 1.05)]
@@ -186,9 +189,11 @@ def rod_chain(
             impacts=chain.collisions(), velocity=chain.velocities(), **table,
         )  # fmt: skip
 
+    shows = boolean("progress", progress)
     most = 1_000_000_000 if collisions is None else integer("collisions", collisions)
     try:
-        chain.run(most, np.inf if time is None else number("time", time))
+        with waiting(shows, "rod_chain"):
+            chain.run(most, np.inf if time is None else number("time", time))
     except KeyboardInterrupt:
         done = result()
         raise Interrupted(f"rod_chain: interrupted after {len(done)} collisions (they are in .best)", done) from None

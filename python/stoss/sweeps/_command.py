@@ -14,8 +14,9 @@ from typing import Sequence
 import numpy as np
 
 from stoss._arguments import refusal
-from stoss._commands import Parser, guarded, say
+from stoss._commands import Parser, guarded, on_terminal, say
 from stoss.export._files import require_writable
+from stoss.results._progress import bar
 from stoss.sweeps import _store
 from stoss.sweeps._case import material_warnings
 from stoss.sweeps._grid import Grid
@@ -46,7 +47,9 @@ def _sweep(words: Sequence[str]) -> int:
     name, parts = f"shard-{shard}-of-{shards}", sample(grid, shard, shards)
     threads = given.threads or len(os.sched_getaffinity(0))
     with Worker(path, Layout(grid.computation), name) as worker:  # a second one of this shard ends here
-        done = fill(worker, grid.computation, path, missing(grid, path, parts), threads)
+        pieces = list(missing(grid, path, parts))
+        with bar(sum(len(each.points) for each in pieces), on_terminal(), "sweep") as seen:
+            done = fill(worker, grid.computation, path, pieces, threads, None if seen is None else seen.update)
     flush(path)
     found, own = values_of(grid, path), np.zeros(grid.shape, dtype=bool)
     for case, (begin, end) in parts:

@@ -21,7 +21,7 @@ from stoss.results._result import QUANTITIES
 
 Point = Sequence[float]
 Accuracy = Mapping[str, Union[float, int]]
-Tick = Callable[[], None]
+Tick = Callable[[], object]
 
 
 class Range(NamedTuple):

@@ -5,12 +5,13 @@ from __future__ import annotations
 import contextlib
 import os
 import warnings
-from typing import TYPE_CHECKING, Any, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, Callable, Iterator, Mapping
 
 import numpy as np
 
-from stoss._arguments import instance, integer, refusal
+from stoss._arguments import boolean, instance, integer, refusal
 from stoss._errors import Interrupted, InvalidInput, StossWarning
+from stoss.results._progress import bar
 from stoss.sweeps import _store
 from stoss.sweeps._case import material_warnings
 from stoss.sweeps._grid import Grid
@@ -27,6 +28,7 @@ def sweep(
     executor: concurrent.futures.Executor | int | None = None,
     *,
     store: str | os.PathLike[str],
+    progress: bool = False,
 ) -> Sweep:
     """Compute all values of a grid that the store does not have yet.
 
@@ -44,6 +46,7 @@ def sweep(
             `mpi4py.futures.MPIPoolExecutor`, the executor of a Dask client, …; its workers must see
             the store under the same name.
         store (path): Directory, made where it is not there yet.
+        progress (bool, optional): Show on stderr a bar of the values; with an executor it moves with each task.
 
     Examples:
         >>> import tempfile
@@ -59,16 +62,18 @@ def sweep(
         >>> ensembles.summary()["mean"].shape
         (1, 1, 1, 2)
     """
-    chosen = as_grid(grid)
+    chosen, shows = as_grid(grid), boolean("progress", progress)
     path = _store.create(store, chosen).resolve()
     pieces = list(missing(chosen, path, parts_of(chosen)))
     try:
-        if executor is None:
-            for task in tasks_of(chosen, path, pieces, most=1):
-                compute(task, threads=0)
-        else:
-            with _opened(executor) as pool:
-                _distribute(pool, tasks_of(chosen, path, pieces))
+        with bar(sum(len(each.points) for each in pieces), shows, "sweep") as seen:
+            tick = _nothing if seen is None else seen.update
+            if executor is None:
+                for task in tasks_of(chosen, path, pieces, most=1):
+                    compute(task, threads=0, tick=tick)
+            else:
+                with _opened(executor) as pool:
+                    _distribute(pool, tasks_of(chosen, path, pieces), tick)
     except KeyboardInterrupt:
         result = values_of(chosen, path)
         done = f"{np.count_nonzero(result.computed)} of {result.computed.size}"
@@ -109,12 +114,16 @@ def _opened(given: Any) -> Iterator[Any]:
         yield pool
 
 
-def _distribute(pool: Any, tasks: list[Task]) -> None:
+def _nothing(done: int = 1) -> None:
+    """Where no bar is shown."""
+
+
+def _distribute(pool: Any, tasks: list[Task], tick: Callable[[int], object]) -> None:
     """Each task on one core; the first failure ends the sweep."""
     futures = [pool.submit(compute, task) for task in tasks]
     try:
         for future in futures:
-            future.result()
+            tick(future.result())
     except BaseException:
         for future in futures:
             future.cancel()

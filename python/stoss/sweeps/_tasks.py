@@ -14,7 +14,7 @@ from stoss.bodies._walls import HardWall
 from stoss.sweeps import _store
 from stoss.sweeps._bodies import resolved
 from stoss.sweeps._case import Case, case_of
-from stoss.sweeps._computation import Accuracy, Computation, Range, kind_of
+from stoss.sweeps._computation import Accuracy, Computation, Range, Tick, kind_of
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._rows import Layout
 from stoss.sweeps._specification import beside, make
@@ -73,20 +73,24 @@ def tasks_of(grid: Grid, path: Path, pieces: Sequence[Piece], most: int = MOST_T
     return [Task(str(path), grid.computation.axes, grid.computation.accuracy, each) for each in several]
 
 
-def compute(task: Task, threads: int = 1) -> int:
+def compute(task: Task, threads: int = 1, tick: Tick | None = None) -> int:
     """Compute a task and append the values to the file of this worker. Returns how many."""
     path = Path(task.store)
     computation = kind_of(task.axes)(task.axes, task.accuracy)
     with Worker(path, Layout(computation)) as worker:
-        return fill(worker, computation, path, task.pieces, threads)
+        return fill(worker, computation, path, task.pieces, threads, tick)
 
 
-def fill(worker: Worker, computation: Computation, path: Path, pieces: Iterable[Piece], threads: int) -> int:
-    """Compute pieces and append their values. Returns how many."""
-    return sum(_fill(worker, computation, path, piece, threads) for piece in pieces)
+def fill(
+    worker: Worker, computation: Computation, path: Path, pieces: Iterable[Piece], threads: int, tick: Tick | None = None
+) -> int:
+    """Compute pieces and append their values, with a tick after each. Returns how many."""
+    return sum(_fill(worker, computation, path, piece, threads, tick) for piece in pieces)
 
 
-def _fill(worker: Worker, computation: Computation, path: Path, piece: Piece, threads: int) -> int:
+def _fill(
+    worker: Worker, computation: Computation, path: Path, piece: Piece, threads: int, tick: Tick | None
+) -> int:
     inputs, key, points = piece
     body = make("body", resolved(inputs["body"], path))
     against = choose_against(body, beside(resolved(inputs["against"], path), body), (HardWall,))
@@ -101,6 +105,8 @@ def _fill(worker: Worker, computation: Computation, path: Path, piece: Piece, th
         row = rows[done].item()
         worker.append(key, inputs, points[done], tuple(row[k] for k in picked))
         done += 1
+        if tick is not None:
+            tick()
 
     computation.compute(body, refinable(body, against), points, threads, rows, keep)
     return done

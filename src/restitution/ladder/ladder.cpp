@@ -27,6 +27,10 @@ constexpr int fewest_whole_levels = 3;  // for two runs, two levels apart
 constexpr int levels_of_a_point = 6;
 constexpr int lowest_of_a_point = -40;
 
+[[noreturn]] void refuse_missing_body() {
+  throw InvalidInput("body: got no function that makes it, allowed one, such as disk(poisson)");
+}
+
 }  // namespace
 
 struct RefinableContact::Ladder {
@@ -39,11 +43,14 @@ struct RefinableContact::Ladder {
 };
 
 RefinableContact::RefinableContact(BodyMaker body) : ladder_(std::make_shared<Ladder>()) {
-  if (!body) throw InvalidInput("body: got no function that makes it, allowed one, such as disk(poisson)");
+  if (!body) refuse_missing_body();
   ladder_->body = std::move(body);
+  (void)stoss::contact(ladder_->body(least_cutoff, {}));  // refuses what does not meet a wall
 }
 
-RefinableContact::RefinableContact(BodyMaker first, BodyMaker second) : RefinableContact(std::move(first)) {
+RefinableContact::RefinableContact(BodyMaker first, BodyMaker second) : ladder_(std::make_shared<Ladder>()) {
+  if (!first) refuse_missing_body();
+  ladder_->body = std::move(first);
   if (!second) throw InvalidInput("against: got no function that makes the body, allowed one, such as disk(poisson)");
   const Pair& pair = ladder_->pair.emplace(pair_of(ladder_->body, second));
   ladder_->unit = 1.0 / time_scale(pair.probe);

@@ -117,3 +117,43 @@ def test_the_hardest_value_of_the_documented_grid_converges(documented):
     small, block = stoss.Sphere(radius=0.005, material=stoss.materials["glass"]), documented.cases()[1].against
     assert small in documented.bodies and isinstance(block, stoss.HalfSpace)
     assert stoss.restitution(small, against=block, speed=documented.speed[0]).converged
+
+
+DISK = {"kind": "disk", "poisson": 0.3}
+BELL, FLAT = ({"kind": "modal", "file": str(PAGE.parents[1] / f"examples/any_body/{each}.json")} for each in ("bell", "beam_0"))
+
+
+@pytest.mark.parametrize(
+    "changed, message",
+    [
+        ({"tolerance": 0.0}, "tolerance: got 0, allowed 1e-15 to 0.5"),
+        ({"tolerance": 0.6}, "tolerance: got 0.6, allowed 1e-15 to 0.5"),
+        ({"absolute": 0.6}, "absolute: got 0.6, allowed 0 to 0.5"),
+        ({"friction": 0.1, "tolerance": 1e-7}, "tolerance: got 1e-07, allowed 1e-6 to 0.5"),
+        ({"temperature": 0.1, "error": 1e-10}, "error: got 1e-10, allowed 1e-9 to 0.5"),
+        ({"temperature": 0.1, "highest": 1.0}, "highest: got 1, allowed"),
+        ({"against": ["wall", {"kind": "cube"}]}, "against: kind: got 'cube', allowed disk"),
+        ({"against": ["wall", {"kind": "half-plane"}]}, "against: got HalfPlane()"),
+        ({"against": ["wall", {"kind": "strip", "thickness": 1}], "friction": 0.1}, "against: got Strip("),
+        ({"bodies": [DISK], "against": ["wall", {"kind": "plate", "thickness": 1}]}, "against: got Plate("),
+        ({"bodies": [BALLS, {"kind": "rod"}], "friction": 0.1}, "friction: not available for 'rod'"),
+        ({"bodies": [DISK], "against": ["wall", {**DISK, "radius": 900}], "friction": 0.1}, "against: got 'disk' of 900 times"),
+        ({"bodies": [DISK], "against": ["wall", {**DISK, "radius": 1100}]}, "radius ratio: got 1100"),
+        ({"against": ["wall", {"kind": "half-space", "young": 1e-4}]}, "young ratio: got 0.0001"),
+        ({"bodies": [FLAT], "against": [{"kind": "sphere", "radius": 0.01, "material": "glass"}, "wall"]}, "curvature: the surface of"),
+        ({"bodies": [BELL], "friction": 0.1}, "friction: got 'bell' without"),
+        ({"speed": [0.01, 1.5]}, "speed: got 1.5, allowed 1e-8 to 1"),
+        ({"speed": [0.01, 0.0]}, "speed: got 0, allowed 1e-8 to 1"),
+        (
+            {"bodies": [{"kind": "sphere", "radius": 0.01, "material": each} for each in ("glass", "rubber")], "speed": 200.0},
+            "speed: got 4.69",
+        ),
+    ],
+    ids=range(19),
+)
+def test_what_the_last_case_refuses_is_refused_before_the_first(changed, message, tmp_path):
+    begin = time.process_time()
+    with pytest.raises(stoss.InvalidInput) as error:
+        stoss.sweep({"bodies": BALLS, "speed": [0.01, 0.03], **changed}, store=tmp_path / "store")
+    assert str(error.value).startswith(message) and "\n" not in str(error.value), error.value
+    assert time.process_time() - begin < 1.0 and not (tmp_path / "store").exists()
