@@ -26,6 +26,7 @@ constexpr int rungs = 2;        // to the next run
 constexpr int last_level = 14;  // cutoff 64 at a wall
 constexpr int last_level_of_unstable = 4;
 constexpr int last_level_of_too_fine = 8;
+constexpr double doubt_of_points = 1.25;  // of what is left by them at the last level
 constexpr double most_without_hope = 3e9;  // of `work`, some seconds: what a run without hope may cost
 
 /// Highest level at which whole bodies are computed: the near side of a disk is much less accurate along its edge.
@@ -92,9 +93,12 @@ ObliquePlan plan_of(const Contact& contact, double speed, const std::vector<Obli
   return plan;
 }
 
+enum class Content { motion_along, all };
+
 /// One ladder of impacts for results that share it: those with one normal impact at each cutoff, or one by itself.
 /// @returns the stretch of the last contact
-double refine(const RefinableContact& contact, const ObliqueOptions& options, std::vector<ObliqueRestitution*> open) {
+double refine(const RefinableContact& contact, const ObliqueOptions& options, std::vector<ObliqueRestitution*> open,
+              Content content) {
   const double speed = open.front()->speed;
   const Contact& probe = contact.at(0, options.poll);
   double stretch = probe.unbounded ? contact.stretch(speed) : 1.0 / contact.part(), width = 0.0;
@@ -147,6 +151,14 @@ double refine(const RefinableContact& contact, const ObliqueOptions& options, st
     const auto out_of_reach = [](const ObliqueRestitution* each) { return is_out_of_reach(*each); };
     if (std::all_of(open.begin(), open.end(), out_of_reach)) break;
     const double highest = contact.cutoff(levels.highest);
+    if (content == Content::motion_along && !open.empty()) {  // a table needs all of them
+      const Contact& resolved = contact.at(contact.cutoff(level), stretch, options.poll);
+      double least = 0.0;
+      for (const ObliqueRestitution* each : open) {
+        least = std::max(least, left_by_points(plan, *each, resolved, highest, levels.highest - levels.lowest));
+      }
+      if (least > doubt_of_points * options.tolerance) throw OutOfReach(least);
+    }
     const auto hopeless = [&](const ObliqueRestitution* each) { return is_hopeless(plan, *each, highest); };
     const auto work = [&] {
       const Contact& resolved = contact.at(contact.cutoff(level), stretch, options.poll);
@@ -157,8 +169,6 @@ double refine(const RefinableContact& contact, const ObliqueOptions& options, st
   for (ObliqueRestitution* each : open) give_up(plan, *each);
   return stretch;
 }
-
-enum class Content { motion_along, all };
 
 std::vector<ObliqueRestitution> results_of(const RefinableContact& contact, double speed,
                                            const std::vector<Obliquity>& obliquities, const ObliqueOptions& options,
@@ -176,9 +186,9 @@ std::vector<ObliqueRestitution> results_of(const RefinableContact& contact, doub
   std::vector<ObliqueRestitution*> all;
   for (ObliqueRestitution& each : results) {
     all.push_back(&each);
-    if (!shared) (void)refine(contact, options, {&each});
+    if (!shared) (void)refine(contact, options, {&each}, content);
   }
-  const double stretch = shared ? refine(contact, options, all) : 1.0;
+  const double stretch = shared ? refine(contact, options, all, content) : 1.0;
   if (shared && content == Content::all) {
     NeglectedCoupling neglected(contact, speed, options.poll);
     for (ObliqueRestitution& each : results) each.neglected = neglected.at(each.before);

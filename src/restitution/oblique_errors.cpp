@@ -30,6 +30,12 @@ double wanted_points(const ObliquePlan& plan) {
 
 double most_points(const ObliquePlan& plan) { return plan.mixing ? 112.0 : 256.0; }
 
+/// Of the points of the grid.
+double share_in_contact(const Impact& impact) {
+  const double width = impact.resolution.half_width;
+  return width > 0.0 ? impact.max_half_width / width : 1.0;
+}
+
 ObliqueRun summary(const ObliqueImpact& impact) {
   return {.cutoff = impact.normal.cutoff,
           .resolution = impact.normal.resolution,
@@ -60,11 +66,6 @@ double spread(const ObliquePlan& plan, const std::vector<ObliqueRun>& runs, doub
   return (runs.size() > three_runs && !swings ? plan.safety : plan.of_few) * greatest;
 }
 
-/// Of the error of s′.
-double scale_of(const ObliqueRestitution& result) {
-  return std::max(std::abs(result.sliding), result.before.friction * result.speed);
-}
-
 /// With two digits.
 std::string rounded_up(double x) {
   const double digit = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
@@ -75,20 +76,33 @@ std::string rounded_up(double x) {
 
 }  // namespace
 
+double scale_of(const ObliqueRestitution& result) {
+  return std::max(std::abs(result.sliding), result.before.friction * result.speed);
+}
+
+std::string way_out(const char* hint, double least) {
+  constexpr double largest = 0.5;
+  if (least <= largest) return std::string(" (") + hint + ", from " + rounded_up(least) + ")";
+  return " (no tolerance up to 0.5 is reached)";
+}
+
 bool ObliquePlan::too_fine() const { return wanted_points(*this) > most_points(*this); }
 
 Resolution ObliquePlan::resolution(const Contact& contact, double speed, double half_width, int level) const {
   Resolution resolution = refined_resolution(contact, speed, half_width);
   if (mixing) resolution.step = 0.5 * *resolution.step;
-  const double cutoff = contact.cutoff * time_scale(contact);
-  const double usual = mixing ? 7.0 * std::sqrt(cutoff) : 40.0 * std::pow(cutoff / 32.0, 0.7);
   const double nyquist = 1.02 * nyquist_nodes(contact, *resolution.half_width);
+  resolution.nodes = points(contact.cutoff * time_scale(contact), nyquist, level);
+  return resolution;
+}
+
+int ObliquePlan::points(double cutoff, double nyquist, int level) const {
+  const double usual = mixing ? 7.0 * std::sqrt(cutoff) : 40.0 * std::pow(cutoff / 32.0, 0.7);
   // The first run shows how wide the contact is. Where directions mix, time grows with the cube of the points.
   const double of_first = mixing ? 0.8 : 1.0, where_too_fine = mixing ? 64.0 : most_points(*this);
   const double least = 16.0 + level, needed = (too_fine() ? where_too_fine : wanted_points(*this)) + level;
   const double wanted = std::max(usual, level == 0 ? of_first * needed : needed);
-  resolution.nodes = static_cast<int>(std::lround(std::max({wanted, least, nyquist})));
-  return resolution;
+  return static_cast<int>(std::lround(std::max({wanted, least, nyquist})));
 }
 
 void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution& result) {
@@ -100,8 +114,7 @@ void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution
   result.steps += last.normal.steps;
   result.reason.clear();
 
-  const double width = last.normal.resolution.half_width;
-  const double points = last.normal.resolution.nodes * (width > 0.0 ? last.normal.max_half_width / width : 1.0);
+  const double points = last.normal.resolution.nodes * share_in_contact(last.normal);
   const double open =
       std::max(result.before.friction * result.speed * error_of_points(plan, points), last.unsettled_sliding);
   const double change = last.sliding_after - last.sliding;
@@ -138,6 +151,15 @@ bool is_out_of_reach(const ObliqueRestitution& result) {
   return result.runs.size() >= three_runs && result.finest.unsettled_sliding > result.tolerance * scale_of(result);
 }
 
+double left_by_points(const ObliquePlan& plan, const ObliqueRestitution& result, const Contact& contact, double highest,
+                      int level) {
+  if (result.runs.size() < three_runs) return 0.0;
+  const Impact& normal = result.finest.normal;
+  const double nyquist = 1.02 * nyquist_nodes(contact, normal.resolution.half_width) * highest / contact.cutoff;
+  const double points = plan.points(highest * time_scale(contact), nyquist, level) * share_in_contact(normal);
+  return result.before.friction * result.speed * error_of_points(plan, points) / scale_of(result);
+}
+
 bool is_hopeless(const ObliquePlan& plan, const ObliqueRestitution& result, double highest) {
   if (result.runs.size() < 2) return false;
   if (plan.unstable || plan.too_fine()) return true;
@@ -148,13 +170,13 @@ bool is_hopeless(const ObliquePlan& plan, const ObliqueRestitution& result, doub
 
 void give_up(const ObliquePlan& plan, ObliqueRestitution& result) {
   if (result.runs.size() >= 2) {
+    const std::string way = way_out("use a larger tolerance", result.sliding_after.error / scale_of(result));
     if (plan.unstable) {
       result.reason =
           "at such friction between unlike bodies waves of any length grow, and nothing has a limit (the "
           "values are those of the finest run)";
     } else if (is_out_of_reach(result)) {
-      result.reason = "the body stays, and how it slides in the end is known no better (use a larger tolerance, from " +
-                      rounded_up(result.sliding_after.error / scale_of(result)) + ")";
+      result.reason = "the body stays, and how it slides in the end is known no better" + way;
     } else if (result.reason.empty() && result.runs.size() < three_runs) {
       result.reason = "no more than two cutoffs could be computed, and two that agree may do so by chance";
     } else if (result.reason.empty()) {
@@ -162,7 +184,7 @@ void give_up(const ObliquePlan& plan, ObliqueRestitution& result) {
           "the tolerance asks for " +
           (plan.too_fine() ? "more points across the contact than are computed"
                            : "a higher cutoff than " + std::to_string(std::lround(result.runs.back().cutoff))) +
-          " (use a larger tolerance, from " + rounded_up(result.sliding_after.error / scale_of(result)) + ")";
+          way;
     }
     return;
   }

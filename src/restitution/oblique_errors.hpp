@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "stoss/contact/contact.hpp"
 #include "stoss/restitution/oblique.hpp"
 
@@ -23,6 +25,9 @@ struct ObliquePlan {
   /// Cutoff, step and points, refined together. The number of points differs in every run, so that two runs do not err
   /// alike. @param half_width of the contact in a coarser run, or 0
   [[nodiscard]] Resolution resolution(const Contact& contact, double speed, double half_width, int level) const;
+
+  /// Of the grid at a level. @param cutoff over time_scale @param nyquist points that the waves need
+  [[nodiscard]] int points(double cutoff, double nyquist, int level) const;
 };
 
 /// Adds a run to a result, and fills what follows from all of them.
@@ -30,6 +35,18 @@ void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution
 
 /// Whether what is not known of a body that stays (Impact::remaining) is more than the tolerance, in any run.
 [[nodiscard]] bool is_out_of_reach(const ObliqueRestitution& result);
+
+/// What no run up to a level resolves of s′, by its points across the contact, over its scale (scale_of). 0 while the
+/// width of the contact is not known.
+/// @param contact of the finest run; what is said of its waves holds for finer ones in proportion
+[[nodiscard]] double left_by_points(const ObliquePlan& plan, const ObliqueRestitution& result, const Contact& contact,
+                                    double highest, int level);
+
+/// Of errors of s′: the tolerance is their share of it.
+[[nodiscard]] double scale_of(const ObliqueRestitution& result);
+
+/// "(use a larger tolerance, from …)", or that there is none.
+[[nodiscard]] std::string way_out(const char* hint, double least);
 
 /// Whether finer runs up to a cutoff will hardly meet the tolerance, if the error falls with the cutoff as expected.
 [[nodiscard]] bool is_hopeless(const ObliquePlan& plan, const ObliqueRestitution& result, double highest);

@@ -113,3 +113,12 @@ def test_a_ball_that_stays_unseen_on_a_thin_plate_is_told_at_once(stoss, who):
     assert result.returncode == 1
     assert "stays on it for longer than is computed" in result.stderr
     assert used < 1.0
+
+
+def test_a_table_of_a_rule_refuses_in_seconds_what_its_points_never_resolve(stoss):
+    """It said after 80 s of processor time "use a larger tolerance, from 0.021", which is more than it was given."""
+    plate = "--against plate,thickness=0.02,young=0.3,density=0.001"
+    words = f"table --oblique --body sphere --poisson 0.3 --speed 1e-3:1e-2 {plate} --error 1e-2"
+    result, used = bounded(stoss, words, 60)
+    assert result.returncode == 1 and "(allow a larger tolerance, from 0.04" in result.stderr, result.stderr
+    assert used < 10.0

@@ -21,7 +21,7 @@ from stoss.results._result import QUANTITIES
 
 Point = Sequence[float]
 Accuracy = Mapping[str, Union[float, int]]
-Tick = Callable[[], object]
+Tick = Callable[[], None]
 
 
 class Range(NamedTuple):

@@ -80,7 +80,7 @@ std::vector<std::vector<RulePoint>> AdaptiveRules::points(const std::vector<Plac
     requests.push_back({&contact(lines[i][2]), ranges_.speeds.speed(lines[i][0]), slips[i]});
   }
   const auto place = [&](std::size_t i) { return named(requests[i].speed, lines[i][2]); };
-  return computed_rules(requests, {options_.friction, sliding_.values, restitution_.values}, options_.threads,
+  return computed_rules(requests, {options_.friction, sliding_.values, options_.tolerance, restitution_.values}, options_.threads,
                         options_.poll, place);
 }
 
@@ -104,7 +104,9 @@ void AdaptiveRules::set_budget() {
   const std::vector<double>&v = grid_.axis(0).x(), &s = grid_.axis(2).x();
   const std::vector<RuleSlip> slips{{-probe, true}, {0.0, true}, {probe, true}};
   double along = 0.0, normal = 0.0;
-  for (const auto& end : points({{v.back(), 0.0, s.front()}, {v.back(), 0.0, s.back()}}, {slips, slips})) {
+  std::vector<Place> ends{{v.back(), 0.0, s.front()}};
+  if (ranges_.is_mixture) ends.push_back({v.back(), 0.0, s.back()});
+  for (const auto& end : points(ends, std::vector(ends.size(), slips))) {
     for (const RulePoint& each : end) {
       along = std::max(along, each.sliding_difference);
       if (options_.friction) normal = std::max(normal, each.restitution_difference);

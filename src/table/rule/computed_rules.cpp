@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "check.hpp"
@@ -10,6 +11,7 @@
 #include "contact/touch.hpp"
 #include "contact/unit_ratios.hpp"
 #include "impact/oblique/frame.hpp"
+#include "restitution/oblique_errors.hpp"
 #include "restitution/oblique_motion.hpp"
 #include "restitution/ordered_jobs.hpp"
 #include "stoss/errors.hpp"
@@ -18,6 +20,7 @@
 namespace stoss {
 namespace {
 
+constexpr std::string_view of_value = " (use a larger tolerance";  // than that of a value, not of the table
 constexpr double any_friction = 0.01;  // the sliding stays far below c
 
 /// How to slide at s: with equal shares of velocity and spins, then, to compare, by each alone.
@@ -40,17 +43,33 @@ std::vector<Obliquity> ways(const ObliqueFrame& frame, double sliding, double fr
   return all;
 }
 
+/// Refuses the tolerance of a table. @param least of a value
+[[noreturn]] void refuse(const std::string& place, std::string reason, double least, const RuleDemand& demand) {
+  const std::size_t hint = reason.find(of_value);
+  if (hint != std::string::npos) reason.resize(hint);
+  throw NotConverged("oblique: at " + place + " " + reason +
+                     way_out("allow a larger tolerance", demand.tolerance * least / std::min(demand.sliding, 0.5)));
+}
+
 /// Computes rules until both errors are small enough.
 std::vector<ObliqueRestitution> accurate(const RuleRequest& request, const std::vector<Obliquity>& before,
                                          const RuleDemand& demand, const std::string& place, const Poll& poll) {
   constexpr double finest = 1e-6;
   double reached = 0.0;  // error of the restitution
   for (double tolerance = std::min(demand.sliding, 0.5); tolerance > finest; tolerance *= 0.5) {
-    std::vector<ObliqueRestitution> found =
-        motion_along(*request.contact, request.speed, before, {.tolerance = tolerance, .poll = poll});
+    std::vector<ObliqueRestitution> found;
+    try {
+      found = motion_along(*request.contact, request.speed, before, {.tolerance = tolerance, .poll = poll});
+    } catch (const OutOfReach& error) {
+      if (reached > 0.0) break;
+      refuse(place, error.what(), error.least, demand);
+    }
     const auto open = std::find_if(found.begin(), found.end(), [](const auto& each) { return !each.converged; });
     if (open != found.end() && reached > 0.0) break;
-    if (open != found.end()) throw NotConverged("oblique: at " + place + " " + open->reason);
+    if (open != found.end() && open->reason.find(of_value) == std::string::npos) {
+      throw NotConverged("oblique: at " + place + " " + open->reason);
+    }
+    if (open != found.end()) refuse(place, open->reason, open->sliding_after.error / scale_of(*open), demand);
     reached = 0.0;
     for (const ObliqueRestitution& each : found) reached = std::max(reached, each.restitution.error);
     if (!demand.friction || reached <= demand.restitution) return found;

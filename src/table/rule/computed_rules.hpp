@@ -41,6 +41,7 @@ struct RulePoint {
 struct RuleDemand {
   std::optional<double> friction;  ///< where directions mix
   double sliding = 0.0;            ///< error of q
+  double tolerance = 0.0;          ///< of the table, of which that is a part
   double restitution = 0.0;        ///< error of ε_n, where directions mix
 };
 
