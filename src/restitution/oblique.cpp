@@ -26,7 +26,7 @@ constexpr int rungs = 2;        // to the next run
 constexpr int last_level = 14;  // cutoff 64 at a wall
 constexpr int last_level_of_unstable = 4;
 constexpr int last_level_of_too_fine = 8;
-constexpr double doubt_of_points = 1.25;  // of what is left by them at the last level
+constexpr double doubt_of_points = 1.25;   // of what is left by them at the last level
 constexpr double most_without_hope = 3e9;  // of `work`, some seconds: what a run without hope may cost
 
 /// Highest level at which whole bodies are computed: the near side of a disk is much less accurate along its edge.

@@ -80,8 +80,8 @@ std::vector<std::vector<RulePoint>> AdaptiveRules::points(const std::vector<Plac
     requests.push_back({&contact(lines[i][2]), ranges_.speeds.speed(lines[i][0]), slips[i]});
   }
   const auto place = [&](std::size_t i) { return named(requests[i].speed, lines[i][2]); };
-  return computed_rules(requests, {options_.friction, sliding_.values, options_.tolerance, restitution_.values}, options_.threads,
-                        options_.poll, place);
+  return computed_rules(requests, {options_.friction, sliding_.values, options_.tolerance, restitution_.values},
+                        options_.threads, options_.poll, place);
 }
 
 AdaptiveRules::Budget AdaptiveRules::without(double error, double difference) const {

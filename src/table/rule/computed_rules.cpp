@@ -21,7 +21,7 @@ namespace stoss {
 namespace {
 
 constexpr std::string_view of_value = " (use a larger tolerance";  // than that of a value, not of the table
-constexpr double any_friction = 0.01;  // the sliding stays far below c
+constexpr double any_friction = 0.01;                              // the sliding stays far below c
 
 /// How to slide at s: with equal shares of velocity and spins, then, to compare, by each alone.
 std::vector<Obliquity> ways(const ObliqueFrame& frame, double sliding, double friction, bool compare) {
