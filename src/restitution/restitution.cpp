@@ -249,6 +249,10 @@ Restitution refined(const RefinableContact& contact, double speed, const Restitu
   if (result.lost_fraction.error > 1.0)
     result.lost_fraction.error = result.restitution.error = std::numeric_limits<double>::infinity();
   result.converged = false;  // two or three runs that agree are not enough
+  if (trouble.empty() && next.reachable < result.tolerance) {
+    trouble = "no more than " + std::to_string(result.runs.size()) +
+              " cutoffs could be computed, and so few that agree may do so by chance";
+  }
   result.reason = trouble.empty() ? beyond_reach(next, contact.cutoff(highest), !options.vibration.empty(),
                                                  result.lost_fraction.error, frequency_unit(contact.at(0)))
                                   : trouble;

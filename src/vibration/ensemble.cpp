@@ -38,7 +38,14 @@ class Allowed {
     }
   }
 
-  [[nodiscard]] double greatest() const { return kept(std::max(0, contact_.highest_level() - levels_above)); }
+  /// What meets a body that is known at a point only vibrates as high as that is known, in a slow impact.
+  [[nodiscard]] double greatest() const {
+    constexpr double slowest = 1e-8;
+    const double usual = kept(std::max(0, contact_.highest_level() - levels_above));
+    const Contact& probe = contact_.at(0, poll_);
+    const bool known = !is_known_at_a_point(*probe.first) && !(probe.second && is_known_at_a_point(*probe.second));
+    return known ? usual : std::min(usual, kept(contact_.levels(slowest, 1.0, poll_).lowest));
+  }
 
   /// With all modes up to a frequency, and perhaps more.
   [[nodiscard]] const Contact& with(double highest) const {

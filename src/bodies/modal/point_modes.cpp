@@ -50,8 +50,8 @@ void require_modes(const ModalBody& body) {
   constexpr double share = 0.1, enough = 30.0;
   const double expected = expected_sum(body, body.complete_to);
   if (expected * body.mass > enough && sum < share * expected) {
-    throw InvalidInput("modes: got " + std::to_string(body.modes.size()) + " with " + shown(sum) +
-                       " as the sum of their squared displacements, allowed about " + shown(expected) +
+    throw InvalidInput("modes: got " + std::to_string(body.modes.size()) + " with " + rounded(sum) +
+                       " as the sum of their squared displacements, allowed about " + rounded(expected) +
                        " up to complete_to (modes are missing, or are not normalised to unit modal mass)");
   }
 }

@@ -44,6 +44,15 @@ Body made(const BodyMaker& maker, const Body& probe, double size, double cutoff,
   return size < 1.0 || is_unbounded(probe) ? probe.near_side(size, cutoff, poll) : maker(cutoff, poll);
 }
 
+/// c₀ of a body of which only a point is known: what the compliance of a ring has beside what falls with its radius.
+double yielding_of(const Body& body) {
+  constexpr double small = 0.05;
+  const auto compliance = [&](double radius) {
+    return body.residual_compliance({.radius = 1.0, .spacing = 2.0 * radius, .count = 1}, {}).front();
+  };
+  return std::max(0.0, 2.0 * compliance(2.0 * small) - compliance(small));
+}
+
 }  // namespace
 
 Pair pair_of(const BodyMaker& first, const BodyMaker& second) {
@@ -51,11 +60,16 @@ Pair pair_of(const BodyMaker& first, const BodyMaker& second) {
   const double unit = time_scale(pair.probe);
   pair.first_size = computed_size(*pair.probe.first, 1.0 / unit);
   pair.second_size = computed_size(*pair.probe.second, UnitRatios(*pair.probe.second, *pair.probe.first).time / unit);
+  if (is_known_at_a_point(*pair.probe.first) && is_unbounded(*pair.probe.second)) {
+    pair.yielding = yielding_of(*pair.probe.first);
+  }
   return pair;
 }
 
 double pair_duration(const Pair& pair, double speed) {
-  return stoss::expected_duration(pair.probe, speed) / time_scale(pair.probe);
+  // A hollow body is a spring, half of whose period lasts longer than its contact would by Hertz.
+  const double of_shape = std::numbers::pi * std::sqrt(pair.probe.mass * pair.yielding);
+  return std::max(stoss::expected_duration(pair.probe, speed), of_shape) / time_scale(pair.probe);
 }
 
 Contact pair_contact(const Pair& pair, double cutoff, double stretch, const Poll& poll) {
