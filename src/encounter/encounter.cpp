@@ -236,8 +236,10 @@ Wall wall_of(const Encounter& encounter) {
 
 RefinableContact refinable(const Encounter& encounter) {
   validate(encounter);
-  if (is_at_wall(encounter)) return RefinableContact(first_maker(encounter));
-  return {first_maker(encounter), second_maker(encounter)};
+  if (!is_at_wall(encounter)) return {first_maker(encounter), second_maker(encounter)};
+  BodyMaker maker = first_maker(encounter);
+  if (kind(encounter.first.kind).from_file) (void)contact(maker(1e-6, {}));  // refuses a flat one, whatever the cutoff
+  return RefinableContact(std::move(maker));
 }
 
 Contact contact_of(const Encounter& encounter, double cutoff, double speed, const Poll& poll) {

@@ -45,7 +45,6 @@ struct RefinableContact::Ladder {
 RefinableContact::RefinableContact(BodyMaker body) : ladder_(std::make_shared<Ladder>()) {
   if (!body) refuse_missing_body();
   ladder_->body = std::move(body);
-  (void)stoss::contact(ladder_->body(least_cutoff, {}));  // refuses what does not meet a wall
 }
 
 RefinableContact::RefinableContact(BodyMaker first, BodyMaker second) : ladder_(std::make_shared<Ladder>()) {
