@@ -94,7 +94,9 @@ std::string channels_of(const std::vector<Prediction>& all) {
   }
   for (const Prediction& each : all) {
     text += fmt::format("\n{:>10.6g}", each.speed);
-    for (const double share : each.shares) text += fmt::format("{:>12.4g}", share);
+    for (const double share : each.shares) {
+      text += std::isfinite(share) ? fmt::format("{:>12.4g}", share) : fmt::format("{:>12}", "-");
+    }
   }
   return text + "\n";
 }
