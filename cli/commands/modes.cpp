@@ -24,8 +24,8 @@ struct ModesArguments {
 double in_hertz(const Scales& si) { return si.frequency / (2.0 * std::numbers::pi); }
 
 template <typename Mode>
-void write(const ModesArguments& arguments, const Encounter& encounter, const Quantities<Mode>& quantities,
-           const std::vector<Mode>& modes) {
+void write(const ModesArguments& arguments, Output output, const Encounter& encounter,
+           const Quantities<Mode>& quantities, const std::vector<Mode>& modes) {
   nlohmann::ordered_json inputs;
   describe_first(encounter, inputs);
   inputs["cutoff"] = arguments.cutoff;
@@ -41,7 +41,8 @@ void write(const ModesArguments& arguments, const Encounter& encounter, const Qu
                              {"family", number}});
   Columns columns = fields.columns();
   if (si) columns.push_back({"frequency", "Hz", 13});
-  Writer writer = arguments.output.writer({"modes", command_line(), std::move(inputs)}, columns, Output::Use::whole);
+  Writer writer(std::move(output), arguments.output.chosen_format(), {"modes", command_line(), std::move(inputs)},
+                columns);
   for (const Mode& mode : modes) {
     Row row = fields.row(mode);
     if (si) row.emplace_back(mode.omega * in_hertz(*si));
@@ -54,14 +55,15 @@ void run(const ModesArguments& arguments) {
   const Encounter encounter{.first = arguments.body.body()};
   validate(encounter);
   const double poisson = *poisson_of(encounter);
+  Output output(arguments.output.path, Output::Use::whole);
   catch_interrupts();
   const Poll poll = waiting(arguments.output, "modes");
   if (encounter.first.kind == "sphere") {
     using namespace bodies::sphere;
-    write(arguments, encounter, mode_quantities(), modes(poisson, arguments.cutoff, poll));
+    write(arguments, std::move(output), encounter, mode_quantities(), modes(poisson, arguments.cutoff, poll));
   } else {
     using namespace bodies::disk;
-    write(arguments, encounter, mode_quantities(), modes(poisson, arguments.cutoff, poll));
+    write(arguments, std::move(output), encounter, mode_quantities(), modes(poisson, arguments.cutoff, poll));
   }
 }
 

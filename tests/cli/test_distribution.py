@@ -135,7 +135,7 @@ def test_an_end_at_any_time_loses_no_row(stoss, tmp_path, how, code):
     done = [line for line in text[: text.rindex("\n") + 1].splitlines() if line and not line.startswith("#")][1:]
     assert 5 <= len(done) < 400
     first = stoss.run(LONG.replace("samples 400", f"samples {len(done)}"), "--format csv --quiet").stdout
-    assert first.splitlines()[-len(done):] == done
+    assert first.splitlines()[-len(done):] == [line.rpartition(",")[0] for line in done]  # but for their checksums
 
 
 def test_another_ensemble_is_another_job(stoss, tmp_path):
