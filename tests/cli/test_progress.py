@@ -20,7 +20,6 @@ LONG = {  # which take minutes and more
     "bounce": f"bounce {BALL} --speed 0.1 --count 1000000 --flight-time 30",
     "table of a rule": f"table --oblique {BALL} --speed 1e-6:0.01 --error 1e-5",
     "predict": f"predict {GLASS} --speed log:1e-4:1:20000",
-    "modes": "modes --poisson 0.33 --cutoff 1000",
 }
 
 
