@@ -117,7 +117,7 @@ function fieldOf(encounter: Encounter, line: string): PlacedField | undefined {
 function problemOf(encounter: Encounter, field: Field, line: string): string {
   const [subject = '', ...rest] = line.split(':');
   const hint = subject.endsWith('ratio') ? `, ${subject}` : '';
-  const short = rest.join(':').replace(/\d+\.\d{6,}(e-?\d+)?|\d+e-0\d/g, (number) => significant(Number(number), 6));
+  const short = rest.join(':').replace(/\d+\.\d{6,}(e-?\d+)?|\d+(\.\d+)?e-0\d/g, (number) => significant(Number(number), 6));
   return `${fullName(encounter, field)}${hint}:${short}`;
 }
 
