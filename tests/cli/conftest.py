@@ -85,6 +85,15 @@ def stoss():
 
 
 @pytest.fixture(scope="session")
+def usual_build(stoss):
+    """The command where it is built without sanitizers, which take processor time."""
+    with open(stoss.path, "rb") as program:
+        if b"__asan_init" in program.read():
+            pytest.skip("sanitizers take processor time")
+    return stoss
+
+
+@pytest.fixture(scope="session")
 def small(stoss):
     """The whole CSV text of the job SMALL."""
     return stoss.run(SMALL, "--format csv").stdout

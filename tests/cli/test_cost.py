@@ -6,6 +6,8 @@ import subprocess
 import pytest
 from conftest import number, rows
 
+pytestmark = pytest.mark.usefixtures("usual_build")
+
 
 def bounded(stoss, arguments, seconds):
     """Runs the command, which is killed after so much processor time; returns the process and what it has used."""

@@ -20,11 +20,8 @@ DRAWN = {"body", "poisson", "rigid-body", "loss-time", "material", "radius", "yo
 
 
 @pytest.fixture(scope="module")
-def drawer(stoss):
-    with open(stoss.path, "rb") as program:
-        if b"__asan_init" in program.read():
-            pytest.skip("sanitizers take processor time")
-    return Drawer(stoss.path)
+def drawer(usual_build):
+    return Drawer(usual_build.path)
 
 
 def hold(stoss, drawer, seed):
