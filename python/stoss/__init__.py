@@ -49,6 +49,7 @@ written.
 ================================  ==================================================================
 """
 
+# ruff: noqa: E402, F822 (_starting must come first; plot and animate come from __getattr__)
 from stoss import _starting
 
 _starting.end_quietly()  # before what takes long

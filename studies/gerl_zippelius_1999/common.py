@@ -38,7 +38,7 @@ def axes_of(
     """
     with matplotlib.rc_context(PRINT):
         figure = Figure(figsize=(width, height), layout="constrained")
-        axes = [each for each in np.ravel(figure.subplots(rows, columns, **options))]
+        axes = list(np.ravel(figure.subplots(rows, columns, **options)))
         for each in axes:
             small_ticks(each)
     return figure, axes

@@ -158,7 +158,7 @@ def draw(tables: Tables) -> Figure:
 def numbers(tables: Tables) -> list[Row]:
     """Half-width and maximum pressure against Hertz, force against the laws."""
     rows = []
-    for delta, force, error, half, p, center, printed in zip(*tables["contacts"].values()):
+    for delta, force, error, half, p, _, printed in zip(*tables["contacts"].values()):
         hertz_half, hertz_p = _hertz(force)
         at = f"at δ = {delta:g} R"
         what = f"force in πRE {at}; protocol: eq. (56), force against compression, as printed"

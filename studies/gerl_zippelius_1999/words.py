@@ -13,7 +13,7 @@ PAPER = (
 )
 DOI = "https://doi.org/10.1103/PhysRevE.59.2361"
 
-INTRODUCTION = f"""
+INTRODUCTION = """
 <p>How much of its speed does an elastic disk keep when it hits a wall? Gerl and Zippelius computed it from first
 principles: nothing is lost to friction or plastic flow, but part of the energy of translation stays behind as
 vibration. This report computes their paper again, figure by figure, with <b>stoss</b>. It does not show the original

@@ -18,6 +18,7 @@ springs. 2400 steps, as the fit has them, take three minutes.
 
 import math
 import sys
+from functools import partial
 
 import numpy as np
 
@@ -121,11 +122,11 @@ def main(most):
         print(f"{what:12} Q = {quality:<5g} {value * quality:.5f} ± {error * quality:.5f}{more}", flush=True)
 
     for quality in (300, 30):
-        say("Kelvin–Voigt", quality, lambda steps: restitution(kelvin_voigt(quality), steps))
+        say("Kelvin–Voigt", quality, partial(restitution, kelvin_voigt(quality)))
     for quality in (100, 10):
-        say("directly", quality, lambda steps: restitution_directly(quality, steps))
+        say("directly", quality, partial(restitution_directly, quality))
     for quality in QUALITIES:
-        say("constant", quality, lambda steps: restitution(constant_quality(quality), steps), None)
+        say("constant", quality, partial(restitution, constant_quality(quality)), None)
 
 
 if __name__ == "__main__":

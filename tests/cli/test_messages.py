@@ -138,7 +138,7 @@ def test_a_trajectory_has_the_units_of_its_inputs(stoss, tmp_path):
     path = tmp_path / "t.csv"
     words = f"impact --body sphere --material glass --radius 0.001 --speed 0.1 --cutoff 6 --quiet --trajectory {path}"
     assert stoss.run(words).returncode == 0
-    *head, names, first = [line for line in path.read_text().splitlines()][: path.read_text().count("\n# ") + 3]
+    *head, names, first = path.read_text().splitlines()[: path.read_text().count("\n# ") + 3]
     given = dict(line[2:].split(": ", 1) for line in head if ": " in line)
     assert float(given["speed_si[m/s]"]) == pytest.approx(0.1, rel=1e-12)
     names = names.split(",")

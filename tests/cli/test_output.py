@@ -58,10 +58,9 @@ def test_closed_pipe(stoss):
 
 
 def test_closed_pipe_where_the_signal_is_ignored(stoss):
-    ignore = lambda: signal.signal(signal.SIGPIPE, signal.SIG_IGN)
     command = subprocess.Popen(
         [stoss.path, *"modes --poisson 0.33 --cutoff 200".split()],
-        preexec_fn=ignore,
+        preexec_fn=lambda: signal.signal(signal.SIGPIPE, signal.SIG_IGN),
         restore_signals=False,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,

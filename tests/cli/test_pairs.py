@@ -72,8 +72,13 @@ def test_who_is_first_does_not_matter(stoss):
 @pytest.mark.parametrize("plane", ["stress", "strain"])
 def test_two_materials_are_their_ratios(stoss, plane):
     (si,) = stoss.data(f"restitution {STEEL} --speed 20 --plane {plane} --against disk,{GLASS}")
-    in_plane = lambda nu: nu if plane == "stress" else nu / (1 - nu)
-    modulus = lambda young, nu: young if plane == "stress" else young / (1 - nu**2)
+
+    def in_plane(nu):
+        return nu if plane == "stress" else nu / (1 - nu)
+
+    def modulus(young, nu):
+        return young if plane == "stress" else young / (1 - nu**2)
+
     young, c = modulus(7e10, 0.22) / modulus(2.1e11, 0.3), math.sqrt(modulus(2.1e11, 0.3) / 7850)
     against = f"disk,poisson={in_plane(0.22)!r},radius=2,young={young!r},density={2500 / 7850!r}"
     (ratios,) = stoss.data(f"restitution --poisson {in_plane(0.3)!r} --speed {20 / c!r} --against {against}")

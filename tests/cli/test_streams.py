@@ -1,6 +1,5 @@
 """Closed and unwritable standard streams, and provenance that can be pasted."""
 
-import errno
 import json
 import os
 import resource
@@ -49,9 +48,12 @@ def test_unwritable_stderr_changes_no_exit_code(stoss, words, status):
     assert result.returncode == status
     reader, writer = os.pipe()
     os.close(reader)
-    default = lambda: signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     result = subprocess.run(
-        [stoss.path, *words.split()], stdout=subprocess.DEVNULL, stderr=writer, preexec_fn=default, timeout=60
+        [stoss.path, *words.split()],
+        preexec_fn=lambda: signal.signal(signal.SIGPIPE, signal.SIG_DFL),
+        stdout=subprocess.DEVNULL,
+        stderr=writer,
+        timeout=60,
     )
     os.close(writer)
     assert result.returncode == status

@@ -92,7 +92,7 @@ def test_letters_with_several_meanings_are_in_the_chapters_that_are_named():
 
 def included(folder):
     """Headers of other libraries that the sources in a folder include."""
-    files = [file for file in (ROOT / folder).rglob("*.?pp")]
+    files = list((ROOT / folder).rglob("*.?pp"))
     text = "\n".join(file.read_text(encoding="utf-8") for file in files)
     return set(re.findall(r"^#include <(\w+/[\w/]+)", text, re.MULTILINE))
 

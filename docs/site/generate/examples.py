@@ -8,7 +8,6 @@ import sys
 import textwrap
 from pathlib import Path
 
-import stoss
 from tree import ROOT, Tree
 
 sys.path.insert(0, str(ROOT / "scripts"))

@@ -9,7 +9,6 @@ from typing import Any, Mapping, NamedTuple
 
 from stoss import _core
 from stoss._arguments import brief, number, optional_number, refusal
-from stoss._errors import InvalidInput
 
 
 class Scales(NamedTuple):

@@ -13,7 +13,7 @@ from petsc4py import PETSc
 
 from stoss._errors import InvalidInput
 from stoss.modal._modes import Spectrum
-from stoss.modal._surface import PATCH, Surface
+from stoss.modal._surface import Surface
 
 EDGES = (3.0, 16.0)
 """Least and most radius of the widest pressure, in edges of the mesh at the point."""

@@ -85,7 +85,7 @@ def _open(
     if is_shape(path):
         assert sizes is not None
         _generate(unit, point, sizes)
-    types = [kind for kind in gmsh.model.mesh.getElementTypes(3)]
+    types = list(gmsh.model.mesh.getElementTypes(3))
     if not types:
         raise InvalidInput(f"{path}: the mesh has no tetrahedra (in Gmsh: gmsh -3 -order 2)")
     if len(types) > 1 or types[0] not in ORDERS:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -134,7 +134,7 @@ def soft_static_contact(
     poisson: float,
     compression: float,
     cutoff: float = 50.0,
-    against: ExponentialWall = ExponentialWall(),
+    against: ExponentialWall = ExponentialWall(),  # noqa: B008 (it is frozen)
     nodes: int | None = None,
 ) -> SoftStaticContact:
     """The static calculation of Gerl and Zippelius, at a soft wall.

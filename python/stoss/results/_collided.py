@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,7 +12,7 @@ from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body
 
 Array = NDArray[np.float64]
-Motion = Tuple[Array, Array, Array, Array]
+Motion = tuple[Array, Array, Array, Array]
 
 
 def collided(

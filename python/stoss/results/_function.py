@@ -13,7 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss._arguments import boolean, choice, integer, number, numbers, refusal
 from stoss._documentation import documented
-from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against, choose_body, encounter, refinable
 from stoss.bodies._walls import HardWall, Unbounded

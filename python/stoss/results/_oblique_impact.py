@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core
-from stoss._arguments import boolean, integer, number, optional_number
+from stoss._arguments import boolean, integer, optional_number
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body, shown, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against, choose_body, choose_cutoff, contact

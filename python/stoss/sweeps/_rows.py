@@ -6,7 +6,7 @@ import math
 import re
 import zlib
 from pathlib import Path
-from typing import Any, Iterable, Iterator, NamedTuple, Tuple
+from typing import Any, Iterable, Iterator, NamedTuple
 
 import numpy as np
 
@@ -22,7 +22,7 @@ ORIGIN = re.compile(rf"# stoss ({_formats.VERSION}): sweep", re.ASCII)
 CHECKSUM = "checksum"
 """The last column: of what stands before it in its line. Files of stoss 1.0 have none."""
 
-Row = Tuple[Any, ...]
+Row = tuple[Any, ...]
 
 
 def with_checksum(text: str) -> str:

@@ -6,7 +6,7 @@ import dataclasses
 import itertools
 import os
 import reprlib
-from typing import Any, Iterator, List, Mapping, Sequence, Tuple
+from typing import Any, Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +26,7 @@ SOLIDS: tuple[type[Solid], ...] = PARTNERS
 CLASSES: Mapping[str, Any] = {name: made for name in KINDS for made in SOLIDS if made._kind == name}
 WALLS = ("wall", "same")
 
-Choices = List[List[Tuple[str, Any]]]
+Choices = list[list[tuple[str, Any]]]
 """Of each key of a mapping all values that it is to have."""
 
 

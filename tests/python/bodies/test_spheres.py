@@ -185,7 +185,7 @@ def test_frozen_and_without_a_plane():
     with pytest.raises(TypeError):
         stoss.Sphere(poisson=0.3, plane="stress")
     with pytest.raises(AttributeError, match="no material"):
-        BALL.scales
+        _ = BALL.scales
     assert stoss.Material(young=2.1e11, poisson=0.3, density=7850, yield_strength=2e9).yield_strength == 2e9
 
 

@@ -18,7 +18,7 @@ FRICTION = 0.1
 ANGLED = np.geomspace(1e-3, 0.03, 5)
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def has(program):
     """Whether it is there."""
     if program == "mujoco":
@@ -31,12 +31,12 @@ def ball_of(material):
     return stoss.Sphere(radius=5e-3, material=stoss.materials[material])
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def elastic(material):
     return stoss.restitution(ball_of(material), against="same", speed=SPEEDS)
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def at_angles(material):
     given = {"speed": ANGLED[:, None], "tangential": FRICTION * ANGLED[:, None] * SLIDING, "friction": FRICTION}
     return stoss.oblique(ball_of(material), against="same", **given)

@@ -4,7 +4,6 @@ All pairs of a run are far from each other. Each pair approaches along x with a 
 first with s; ε = −v′/v along the line of centres in the middle of the contact, ε_t = −s′/s.
 """
 
-import re
 import subprocess
 
 import numpy as np

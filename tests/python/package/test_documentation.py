@@ -33,7 +33,13 @@ def test_every_parameter_is_explained_once(name):
 
 def test_types_come_from_annotations_and_own_words_come_first():
     @_documentation.documented
-    def made(body: "Body | None" = None, *, speed: "ArrayLike", threads: "int" = 0, **style: "Any") -> None:
+    def made(  # names without a meaning: only their words count
+        body: "Body | None" = None,  # noqa: F821
+        *,
+        speed: "ArrayLike",  # noqa: F821
+        threads: "int" = 0,
+        **style: "Any",  # noqa: F821
+    ) -> None:
         """Make it.
 
         Parameters:
@@ -69,8 +75,8 @@ def test_fields_have_the_words_of_their_base():
         """It is made."""
 
         law: "str"
-        lost_fraction: "Number"
-        lost_fraction_error: "Number"
+        lost_fraction: "Number"  # noqa: F821
+        lost_fraction_error: "Number"  # noqa: F821
 
     _documentation.with_fields(Made)
     assert "    law (str): Of its own.\n" in Made.__doc__

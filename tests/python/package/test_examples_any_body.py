@@ -99,5 +99,5 @@ def test_17_ring(example):
         epsilon = stoss.with_error(again.restitution, again.restitution_error)
         assert f"{thickness} mm thick, {mass:.0f} g: ε = {epsilon}, contact {contact:.0f} µs" in its.text
         assert f"| {thickness} mm | {epsilon} | {contact:.0f} µs |" in PAGE
-    takes = [row for row in its.numbers("3.23 kHz")][0]
+    takes = list(its.numbers("3.23 kHz"))[0]
     assert 58 < takes[1] < 60 and takes[2] < 1

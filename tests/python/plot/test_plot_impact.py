@@ -170,7 +170,7 @@ def test_without_matplotlib(monkeypatch):
 
     monkeypatch.setattr(builtins, "__import__", refuse)
     with pytest.raises(ImportError) as caught:
-        stoss.plot
+        _ = stoss.plot
     assert "pip install matplotlib" in str(caught.value) and "\n" not in str(caught.value)
 
 

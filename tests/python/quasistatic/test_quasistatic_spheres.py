@@ -193,7 +193,7 @@ def test_without_a_yield_strength_nothing_is_said():
         hit = stoss.impact(body, speed=0.01, cutoff=12)
         assert not any("yield" in name for name in hit.to_dict())
         with pytest.raises(AttributeError, match="no sphere of this result has a yield strength"):
-            hit.beyond_yield
+            _ = hit.beyond_yield
 
 
 def results():

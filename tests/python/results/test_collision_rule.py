@@ -1,5 +1,6 @@
 """The collision rule as a function: values, units, collisions of arrays, what is written."""
 
+# ruff: noqa: B023 (what refuses is called at once)
 import ctypes
 import json
 import os

@@ -73,7 +73,7 @@ def test_values_are_those_of_the_command(command, ensemble):
     assert [each["restitution"] for each in told["records"]] == ensemble.restitution.tolist()
     assert told["summary"]["restitution"] == ensemble.mean
     assert told["summary"]["restitution_statistical_error"] == ensemble.mean_error
-    assert [*told["records"][0]] == [name for name in ensemble._dimensions()]
+    assert [*told["records"][0]] == list(ensemble._dimensions())
 
 
 def test_two_bodies_and_half_spaces():
@@ -92,7 +92,7 @@ def test_si(tmp_path):
     si.to_csv(tmp_path / "si.csv")
     assert "contact_time_si[s],contact_time_si_error[s]" in (tmp_path / "si.csv").read_text()
     with pytest.raises(AttributeError, match="no material"):
-        warm(samples=1).contact_time_si
+        _ = warm(samples=1).contact_time_si
 
 
 def test_files_and_copies(ensemble, tmp_path):

@@ -51,7 +51,7 @@ def test_range_and_knots_are_in_the_unit_of_the_call(epsilon, in_si):
         np.testing.assert_allclose(function(np.clip(knots["speed"], *function.range)), knots["restitution"], atol=1e-12)
     np.testing.assert_allclose(in_si.speed_si, in_si.knots["speed"])
     with pytest.raises(AttributeError, match="no material"):
-        epsilon.speed_si
+        _ = epsilon.speed_si
     assert f"{len(in_si)} speeds computed" in repr(in_si) and "0.002 to 30 m/s" in repr(in_si)
     assert "0.001 to 0.3 c" in repr(epsilon) and "\n" not in repr(in_si)
 

@@ -116,7 +116,7 @@ def test_si():
     assert si.sliding_si == pytest.approx(3) and si.spin_after_si == own.spin_after * turn
     assert stoss.oblique(SHOT, speed=5.0, angle=45, friction=0.1).tangential_si == pytest.approx(5)
     with pytest.raises(AttributeError, match="spin_after_si: this result has no material"):
-        own.spin_after_si
+        _ = own.spin_after_si
 
 
 def test_si_columns_are_those_of_the_command(command, tmp_path):

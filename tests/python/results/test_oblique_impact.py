@@ -139,7 +139,7 @@ def test_si():
     assert path.friction_si == pytest.approx(path.friction * SHOT.scales.force)
     assert "time_si" in path.to_dataframe() and "time_si" not in own.trajectory().to_dataframe()
     with pytest.raises(AttributeError, match="time_si: this result has no material"):
-        own.trajectory().time_si
+        _ = own.trajectory().time_si
 
 
 def test_lines_say_the_essential(hit, path):

@@ -106,7 +106,7 @@ def test_picture(hit):
     wave = hit.wave(time=[3.0, 9.0], distance=np.linspace(0, 12, 25), depth=np.linspace(0, 12, 25))
     axes = wave.plot()
     texts = [text.get_text() for text in axes.texts]
-    assert texts[0] == "t = {:.2f} R/c".format(wave.time[0])
+    assert texts[0] == f"t = {wave.time[0]:.2f} R/c"
     assert {"$c_p t$", "$c_s t$", "$c_R t$"} <= set(texts)
     scale = axes.lines[-1].get_xdata()
     assert texts[-1] == "5 R" and scale[1] - scale[0] == pytest.approx(5.0)

@@ -1,5 +1,6 @@
 """`stoss merge` where its file cannot be written."""
 
+# ruff: noqa: F811 (a fixture is an argument that has the name of what is imported)
 import functools
 import os
 import resource
@@ -7,7 +8,7 @@ import stat
 
 import pytest
 import stoss
-from sweep_command import command  # noqa: F401
+from sweep_command import command  # noqa: F401 (a fixture)
 
 
 def test_merge_where_nothing_can_be_written(command):

@@ -75,7 +75,7 @@ def test_only_what_is_missing_is_computed_and_no_bit_differs(whole, tmp_path):
         (tmp_path / "a.csv").write_text(kept)
         assert np.count_nonzero(~stoss.open_sweep(tmp_path).computed) == len(lost)
         assert equal(stoss.sweep(grid(), store=tmp_path), result)
-        added = [path for path in tmp_path.glob("worker*.csv")]
+        added = list(tmp_path.glob("worker*.csv"))
         computed = [line for path in added for line in path.read_text().splitlines()[2:] if line[0] != "#"]
         assert len(computed) == len(lost)
         for path in added:

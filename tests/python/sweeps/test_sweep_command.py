@@ -1,5 +1,6 @@
 """`stoss sweep` and `stoss merge`: shards, workers that are killed, exit codes."""
 
+# ruff: noqa: F811 (a fixture is an argument that has the name of what is imported)
 import functools
 import os
 import random
@@ -14,7 +15,7 @@ import pytest
 import stoss
 from stoss.sweeps._rows import Layout
 from stoss.sweeps._worker import Worker
-from sweep_command import SMALL, command  # noqa: F401
+from sweep_command import SMALL, command  # noqa: F401 (a fixture)
 
 TOML = """
 speed = "log:1e-3:0.1:12"

@@ -1,5 +1,6 @@
 """Restitution, oblique rules, ensembles and bodies of files: one store, which survives whatever is killed."""
 
+# ruff: noqa: F811 (a fixture is an argument that has the name of what is imported)
 import json
 import signal
 import subprocess
@@ -10,7 +11,7 @@ import pytest
 
 import stoss
 from stoss.sweeps._command import sample
-from sweep_command import command  # noqa: F401
+from sweep_command import command  # noqa: F401 (a fixture)
 from sweep_grids import RING, TOMLS, direct, grid_of
 
 KINDS = sorted(TOMLS)
@@ -87,7 +88,7 @@ def test_killed_amid_a_row_and_continued(alone, interpreter, kind, processes, tm
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_shards_of_the_command(alone, command, kind):  # noqa: F811
+def test_shards_of_the_command(alone, command, kind):
     result, _ = alone(kind)
     grid_of(kind, command.folder)
     for shard in ("1/2", "2/2"):

@@ -75,7 +75,7 @@ describe.skipIf(command === undefined || python === undefined)('Python', () => {
     const blocks = indices.map((index) => {
       const lines = pythonLines(cases[index]!).trimEnd().split('\n');
       const last = lines.pop()!;
-      const call = last.slice('print('.length, -2) + ', tolerance=0.01)';
+      const call = `${last.slice('print('.length, -2)}, tolerance=0.01)`;
       const attempt = `try:\n    r = ${call}\nexcept stoss.NotConverged as e:\n    r = e.best`;
       return `${lines.join('\n')}\n${attempt}\nprint(repr(float(r.restitution)))`;
     });
