@@ -1,16 +1,17 @@
 # The short way in. Everything here can also be done with the CMake presets (cmake --list-presets).
 .DEFAULT_GOAL := help
-.PHONY: help setup build python modal-tools demo web web-serve wheel npm static deb test test-fast test-long coverage systems bench \
+.PHONY: help setup build python modal-tools demo web web-serve wheel npm static deb test test-fast test-long coverage systems bench bench-compare \
 	validate results docs paper paper-quick format lint install uninstall clean
 
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 PYTHON ?= /usr/bin/python3
 PORT ?= 8000
+THRESHOLD ?= 1.3
 SOURCES = $(shell git ls-files '*.cpp' '*.hpp' '*.c' '*.h')
 
 help: ## show this list
-	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 20
+	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 22
 
 setup: ## install the Debian packages that are missing
 	@scripts/install-dependencies.sh
@@ -63,10 +64,14 @@ systems: build ## build for other systems, and compare what the command computes
 	@for system in $${SYSTEM:-$$(scripts/systems.sh)}; do \
 		scripts/systems.sh $$system $(JOBS) || [ $$? = 77 ] || exit 1; done
 
-bench: setup python ## benchmarks, with the paper's protocol and finite elements as rivals
+bench: setup python ## benchmarks, with the paper's protocol and finite elements as rivals; a line of bench/history.jsonl
 	@cmake --preset release -DSTOSS_BUILD_BENCH=ON
 	@cmake --build --preset release -j $(JOBS) --target stoss_bench
-	@build/release/bench/stoss_bench
+	@build/release/bench/stoss_bench --benchmark_out=build/bench.json --benchmark_out_format=json
+	@$(PYTHON) bench/history.py build/bench.json
+
+bench-compare: ## has anything become slower since the last release? (THRESHOLD=1.3, of bench/history.jsonl)
+	@$(PYTHON) bench/compare.py --threshold $(THRESHOLD)
 
 validate: setup ## are the errors of restitution honest? writes docs/validation.md
 	@cmake --preset release -DSTOSS_BUILD_VALIDATE=ON
