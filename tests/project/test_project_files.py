@@ -3,10 +3,11 @@ told what the formatters expect."""
 
 import re
 import tomllib
+from pathlib import Path
 
 import pytest
-from conftest import ROOT
 
+ROOT = Path(__file__).resolve().parents[2]
 WORKFLOWS = sorted((ROOT / ".github/workflows").glob("*.yml"))
 TARGETS = set(re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE))
 INSTALL = "apt-get update && apt-get install -y --no-install-recommends ca-certificates git make"

@@ -4,10 +4,11 @@ import os
 import re
 import shutil
 import subprocess
+from pathlib import Path
 
 import pytest
-from conftest import ROOT
 
+ROOT = Path(__file__).resolve().parents[2]
 READS = (
     "CHANGELOG.md CITATION.cff CMakeLists.txt debian/changelog docs/versions.md include/stoss/stoss.h"
     " include/stoss/version.hpp scripts/release.sh"
