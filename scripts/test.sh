@@ -84,5 +84,8 @@ build/release/validate/stoss_validate --markdown=build/validation.md
 without_times() { sed '/^## Convergence and time/,/^## Errors/d' "$1"; }
 diff <(without_times docs/validation.md) <(without_times build/validation.md)
 
+step "clang-tidy"
+make --no-print-directory lint JOBS="$jobs"
+
 step "coverage: each file compiled by itself"
 scripts/coverage.sh "$jobs"

@@ -34,7 +34,7 @@ extern "C" {
 /** Why the last function failed in this thread: one line, valid until the next one fails; "" before. */
 const char* stoss_message(void);
 
-/** Version of the library, as in "1.0.0": that of what is linked, at run time. */
+/** Version of the library, as in "2.0.0": that of what is linked, at run time. */
 const char* stoss_version(void);
 
 /** An elastic or rigid body. */

@@ -6,7 +6,7 @@
 
 namespace stoss {
 
-/// Version of the library, as in "1.0.0": that of what is linked, at run time.
+/// Version of the library, as in "2.0.0": that of what is linked, at run time.
 ///
 /// Three numbers: the first changes with what users must change, the second with what is new, the third with what is
 /// mended (docs/versions.md). Files that stoss writes name it. The commit is known to the command (`stoss --version`).
