@@ -10,8 +10,10 @@
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/impact/quantities.hpp"
+#include "stoss/prediction/quantities.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/quantities.hpp"
+#include "stoss/vibration/quantities.hpp"
 
 namespace stoss {
 namespace {
@@ -35,11 +37,11 @@ TEST(Quantity, IsAMemberOrAFunctionOfTheResult) {
     Measured force{4.0, 0.5};
   };
   const Quantities<Found> all{
-      {"length", Dimension::length, &Found::length},
-      {"count", Dimension::none, &Found::count},
-      {"good", Dimension::none, &Found::good},
-      {"name", Dimension::none, [](const Found& f) { return std::string(f.good ? "good" : "bad"); }},
-      {"force", Dimension::force, &Found::force},
+      {"length", Dimension::length, "", &Found::length},
+      {"count", Dimension::none, "", &Found::count},
+      {"good", Dimension::none, "", &Found::good},
+      {"name", Dimension::none, "", [](const Found& f) { return std::string(f.good ? "good" : "bad"); }},
+      {"force", Dimension::force, "", &Found::force},
   };
   const Found found;
   EXPECT_EQ(all[0].value(found), Value(2.5));
@@ -52,33 +54,47 @@ TEST(Quantity, IsAMemberOrAFunctionOfTheResult) {
 }
 
 template <typename Result>
-void expect_plain_names(const Quantities<Result>& quantities) {
-  std::set<std::string> names;
-  for (const auto& [name, dimension, value, error] : quantities) {
+void expect_names_and_sentences(const Quantities<Result>& quantities) {
+  std::set<std::string> names, sentences;
+  for (const auto& [name, dimension, help, value, error] : quantities) {
     EXPECT_TRUE(names.insert(name).second) << name;
     EXPECT_EQ(name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_"), std::string::npos) << name;
+    EXPECT_TRUE(sentences.insert(help).second) << name << ": " << help;
+    EXPECT_TRUE(!help.empty() && help.size() <= 100 && help.back() != '.' && help.front() < 'a')
+        << name << ": " << help;
     const Value of_nothing = value(Result{});
     EXPECT_TRUE((dimension == Dimension::none && !error) || std::holds_alternative<double>(of_nothing)) << name;
   }
 }
 
-TEST(Quantities, HaveNamesOfTheirOwn) {
-  expect_plain_names(impact_quantities());
-  expect_plain_names(ledger_quantities());
-  expect_plain_names(mode_energy_quantities());
-  expect_plain_names(snapshot_quantities());
-  expect_plain_names(oblique_impact_quantities());
-  expect_plain_names(oblique_snapshot_quantities());
-  expect_plain_names(restitution_quantities());
-  expect_plain_names(run_quantities());
-  expect_plain_names(extrapolation_quantities());
-  expect_plain_names(soft_impact_quantities());
-  expect_plain_names(bodies::disk::mode_quantities());
-  expect_plain_names(bodies::sphere::mode_quantities());
-  expect_plain_names(quasistatic::slow_impact_quantities());
-  expect_plain_names(quasistatic::rayleigh_quantities());
-  expect_plain_names(quasistatic::driven_mode_quantities());
-  expect_plain_names(quasistatic::soft_static_contact_quantities());
+TEST(Quantities, HaveNamesAndSentencesOfTheirOwn) {
+  expect_names_and_sentences(impact_quantities());
+  expect_names_and_sentences(ledger_quantities());
+  expect_names_and_sentences(mode_energy_quantities());
+  expect_names_and_sentences(snapshot_quantities());
+  expect_names_and_sentences(oblique_impact_quantities());
+  expect_names_and_sentences(oblique_snapshot_quantities());
+  expect_names_and_sentences(restitution_quantities());
+  expect_names_and_sentences(run_quantities());
+  expect_names_and_sentences(extrapolation_quantities());
+  expect_names_and_sentences(soft_impact_quantities());
+  expect_names_and_sentences(bodies::disk::mode_quantities());
+  expect_names_and_sentences(bodies::sphere::mode_quantities());
+  expect_names_and_sentences(quasistatic::slow_impact_quantities());
+  expect_names_and_sentences(quasistatic::rayleigh_quantities());
+  expect_names_and_sentences(quasistatic::driven_mode_quantities());
+  expect_names_and_sentences(quasistatic::soft_static_contact_quantities());
+  expect_names_and_sentences(quasistatic::point_slow_impact_quantities());
+  expect_names_and_sentences(quasistatic::point_rayleigh_quantities());
+  expect_names_and_sentences(quasistatic::half_space_radiation_quantities());
+  expect_names_and_sentences(quasistatic::lossy_impact_quantities());
+  expect_names_and_sentences(oblique_ledger_quantities());
+  expect_names_and_sentences(oblique_quantities());
+  expect_names_and_sentences(oblique_run_quantities());
+  expect_names_and_sentences(prediction_quantities());
+  expect_names_and_sentences(bounce_quantities());
+  expect_names_and_sentences(sample_quantities());
+  expect_names_and_sentences(distribution_quantities());
 }
 
 TEST(Quantities, OfAnImpactAddUp) {

@@ -44,11 +44,11 @@ Fields<Compressed> compressed_fields(const Units& units) {
   using enum Dimension;
   const auto static_force = [](const C& c) { return Estimate{c.contact.force, c.contact.force_error}; };
   const Quantities<C> quantities{
-      {"compression", length, &C::compression},  //
-      {"force", force, &C::force},               //
-      {"energy", energy, &C::energy},            //
-      {Of::size, length, &C::half_width},        //
-      {"static_force", force, static_force},
+      {"compression", length, "Compression of the body", &C::compression},  //
+      {"force", force, "Force of the contact", &C::force},                  //
+      {"energy", energy, "Energy of the compression", &C::energy},          //
+      {Of::size, length, "Size of the contact", &C::half_width},            //
+      {"static_force", force, "Force of the static contact, computed", static_force},
   };
   return Fields<C>(quantities, units,
                    {{"compression", {.width = 13, .si_width = 16}},

@@ -41,14 +41,16 @@ concept HasError = requires(const T& of) {
   { of.error } -> std::convertible_to<double>;
 };
 
-/// One quantity of a result: its name, its dimension, and how the result has it.
+/// One quantity of a result: its name, its dimension, what it is, and how the result has it.
 template <typename Result>
 struct Quantity {
-  /// @param get a member of the result or a function of it. What it gives is a number, a flag or a name; or it has an
-  ///            error, and then the quantity has one too.
+  /// @param said one sentence, up to 100 characters, without a full stop and without units
+  /// @param get  a member of the result or a function of it. What it gives is a number, a flag or a name; or it has an
+  ///             error, and then the quantity has one too.
   template <typename Get>
-  requires std::invocable<Get, const Result&> Quantity(std::string called, Dimension measured_in, Get get)
-      : name(std::move(called)), dimension(measured_in) {
+  requires std::invocable<Get, const Result&> Quantity(std::string called, Dimension measured_in, std::string said,
+                                                       Get get)
+      : name(std::move(called)), dimension(measured_in), help(std::move(said)) {
     if constexpr (HasError<std::invoke_result_t<Get, const Result&>>) {
       value = [get](const Result& result) -> Value { return std::invoke(get, result).value; };
       error = [get](const Result& result) -> double { return std::invoke(get, result).error; };
@@ -59,6 +61,7 @@ struct Quantity {
 
   std::string name;
   Dimension dimension;
+  std::string help;  ///< what it is, as faces show it beside its name
   std::function<Value(const Result&)> value;
   std::function<double(const Result&)> error;  ///< empty where there is none: the value is of one computation
 };

@@ -46,12 +46,12 @@ void translate(std::exception_ptr error) {
   }
 }
 
-/// Name, dimension and whether there is an error, of each.
+/// Name, dimension, whether there is an error, and the sentence of each.
 template <typename Result>
 py::tuple listed(const Quantities<Result>& quantities) {
   py::list list;
-  for (const auto& [name, dimension, value, error] : quantities) {
-    list.append(py::make_tuple(name, dimension_name(dimension), static_cast<bool>(error)));
+  for (const auto& [name, dimension, help, value, error] : quantities) {
+    list.append(py::make_tuple(name, dimension_name(dimension), static_cast<bool>(error), help));
   }
   return py::tuple(list);
 }

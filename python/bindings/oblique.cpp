@@ -20,9 +20,10 @@ const Quantities<ObliqueRestitution>& quantities_of_row() {
   static const auto all = [] {
     auto list = oblique_quantities();
     for (const auto& each : oblique_ledger_quantities()) {
-      list.emplace_back("energy." + each.name, each.dimension, [get = each.value](const ObliqueRestitution& rule) {
-        return rule.runs.empty() ? Value(std::numeric_limits<double>::quiet_NaN()) : get(rule.finest.energy);
-      });
+      list.emplace_back(
+          "energy." + each.name, each.dimension, each.help, [get = each.value](const ObliqueRestitution& rule) {
+            return rule.runs.empty() ? Value(std::numeric_limits<double>::quiet_NaN()) : get(rule.finest.energy);
+          });
     }
     return list;
   }();

@@ -23,7 +23,7 @@ class Rows {
 
   /// @param quantities without names
   explicit Rows(const Quantities<Result>& quantities) : quantities_(&quantities) {
-    for (const auto& [name, dimension, value, error] : quantities) width_ += (error ? 2 : 1) * cell;
+    for (const auto& [name, dimension, help, value, error] : quantities) width_ += (error ? 2 : 1) * cell;
   }
 
   [[nodiscard]] std::size_t width() const { return width_; }
@@ -34,7 +34,7 @@ class Rows {
       std::memcpy(to, &number, sizeof(number));
       to += cell;
     };
-    for (const auto& [name, dimension, value, error] : *quantities_) {
+    for (const auto& [name, dimension, help, value, error] : *quantities_) {
       const Value found = value(result);
       if (const auto* number = std::get_if<double>(&found)) {
         put(*number);
@@ -60,7 +60,7 @@ class Rows {
       names.append(name);
       formats.append(format);
     };
-    for (const auto& [name, dimension, value, error] : *quantities_) {
+    for (const auto& [name, dimension, help, value, error] : *quantities_) {
       const Value found = value(Result{});
       field(name, std::holds_alternative<double>(found)         ? "f8"
                   : std::holds_alternative<std::int64_t>(found) ? "i8"

@@ -112,7 +112,7 @@ auto computed(const Make& make) {
 template <typename Result>
 py::dict to_dict(const Quantities<Result>& quantities, const Result& result) {
   py::dict dict;
-  for (const auto& [name, dimension, value, error] : quantities) {
+  for (const auto& [name, dimension, help, value, error] : quantities) {
     dict[py::str(name)] = value(result);
     if (error) dict[py::str(name + "_error")] = error(result);
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "quantity_help.hpp"
+
 namespace stoss {
 
 using enum Dimension;
@@ -9,31 +11,31 @@ using enum Dimension;
 const Quantities<Impact>& impact_quantities() {
   using I = Impact;
   static const Quantities<I> all{
-      {"restitution", none, &I::restitution},
-      {"lost_fraction", none, &I::lost_fraction},
-      {"translation", none, [](const I& i) { return i.energy.translation; }},
-      {"vibration", none, [](const I& i) { return i.energy.vibration; }},
-      {"dissipated", none, [](const I& i) { return i.energy.dissipated; }},
-      {"unresolved", none, [](const I& i) { return i.energy.unresolved; }},
-      {"lost_to_first", none, [](const I& i) { return i.energy.lost_to_first; }},
-      {"lost_to_second", none, [](const I& i) { return i.energy.lost_to_second; }},
-      {"contact_time", time, &I::contact_time},
-      {"impulse_time", time, &I::impulse_time},
-      {"contacts", none, &I::contacts},
-      {"max_force", force, &I::max_force},
-      {"max_compression", length, &I::max_compression},
-      {"max_half_width", length, &I::max_half_width},
-      {"cutoff", frequency, &I::cutoff},
-      {"modes", none, [](const I& i) { return static_cast<long>(i.energy.modes.size()); }},
-      {"step", time, [](const I& i) { return i.resolution.step; }},
-      {"nodes", none, [](const I& i) { return i.resolution.nodes; }},
-      {"half_width", length, [](const I& i) { return i.resolution.half_width; }},
-      {"steps", none, &I::steps},
-      {"energy_error", none, &I::energy_error},
-      {"momentum_error", none, &I::momentum_error},
-      {"stays", none, [](const I& i) { return i.remaining > 0.0; }},
-      {"strain", none, &I::strain},
-      {"beyond_small_strain", none, &I::beyond_small_strain},
+      {"restitution", none, help::restitution, &I::restitution},
+      {"lost_fraction", none, help::lost_fraction, &I::lost_fraction},
+      {"translation", none, help::translation, [](const I& i) { return i.energy.translation; }},
+      {"vibration", none, help::vibration, [](const I& i) { return i.energy.vibration; }},
+      {"dissipated", none, help::dissipated, [](const I& i) { return i.energy.dissipated; }},
+      {"unresolved", none, help::unresolved, [](const I& i) { return i.energy.unresolved; }},
+      {"lost_to_first", none, help::lost_to_first, [](const I& i) { return i.energy.lost_to_first; }},
+      {"lost_to_second", none, help::lost_to_second, [](const I& i) { return i.energy.lost_to_second; }},
+      {"contact_time", time, help::contact_time, &I::contact_time},
+      {"impulse_time", time, help::impulse_time, &I::impulse_time},
+      {"contacts", none, help::contacts, &I::contacts},
+      {"max_force", force, help::max_force, &I::max_force},
+      {"max_compression", length, help::max_compression, &I::max_compression},
+      {"max_half_width", length, help::max_half_width, &I::max_half_width},
+      {"cutoff", frequency, help::cutoff, &I::cutoff},
+      {"modes", none, help::modes, [](const I& i) { return static_cast<long>(i.energy.modes.size()); }},
+      {"step", time, help::step, [](const I& i) { return i.resolution.step; }},
+      {"nodes", none, help::nodes, [](const I& i) { return i.resolution.nodes; }},
+      {"half_width", length, help::half_width, [](const I& i) { return i.resolution.half_width; }},
+      {"steps", none, help::steps, &I::steps},
+      {"energy_error", none, help::energy_error, &I::energy_error},
+      {"momentum_error", none, help::momentum_error, &I::momentum_error},
+      {"stays", none, help::stays, [](const I& i) { return i.remaining > 0.0; }},
+      {"strain", none, help::strain, &I::strain},
+      {"beyond_small_strain", none, help::beyond_small_strain, &I::beyond_small_strain},
   };
   return all;
 }
@@ -46,8 +48,11 @@ std::string note_of_staying() {
 const Quantities<EnergyLedger>& ledger_quantities() {
   using L = EnergyLedger;
   static const Quantities<L> all{
-      {"translation", none, &L::translation}, {"vibration", none, &L::vibration}, {"dissipated", none, &L::dissipated},
-      {"unresolved", none, &L::unresolved},   {"stored", none, &L::stored},
+      {"translation", none, help::translation, &L::translation},
+      {"vibration", none, help::vibration, &L::vibration},
+      {"dissipated", none, help::dissipated, &L::dissipated},
+      {"unresolved", none, help::unresolved, &L::unresolved},
+      {"stored", none, help::stored, &L::stored},
   };
   return all;
 }
@@ -55,30 +60,32 @@ const Quantities<EnergyLedger>& ledger_quantities() {
 const Quantities<ObliqueImpact>& oblique_impact_quantities() {
   using O = ObliqueImpact;
   static const Quantities<O> all{
-      {"restitution", none, &O::restitution},
-      {"tangential_restitution", none, &O::tangential_restitution},
-      {"sliding", speed, &O::sliding},
-      {"sliding_after", speed, &O::sliding_after},
-      {"tangential_after", speed, &O::tangential_after},
-      {"spin_after", frequency, &O::spin_after},
-      {"second_spin_after", frequency, &O::second_spin_after},
-      {"contact_time", time, [](const O& o) { return o.normal.contact_time; }},
-      {"max_force", force, [](const O& o) { return o.normal.max_force; }},
-      {"max_compression", length, [](const O& o) { return o.normal.max_compression; }},
-      {"max_half_width", length, [](const O& o) { return o.normal.max_half_width; }},
-      {"cutoff", frequency, [](const O& o) { return o.normal.cutoff; }},
-      {"step", time, [](const O& o) { return o.normal.resolution.step; }},
-      {"nodes", none, [](const O& o) { return o.normal.resolution.nodes; }},
-      {"half_width", length, [](const O& o) { return o.normal.resolution.half_width; }},
-      {"steps", none, [](const O& o) { return o.normal.steps; }},
-      {"energy_error", none, &O::energy_error},
-      {"momentum_error", none, [](const O& o) { return std::max(o.momentum_error, o.normal.momentum_error); }},
-      {"angular_momentum_error", none, &O::angular_momentum_error},
-      {"stays", none, [](const O& o) { return o.normal.remaining > 0.0; }},
-      {"strain", none, [](const O& o) { return o.normal.strain; }},
-      {"beyond_small_strain", none, [](const O& o) { return o.normal.beyond_small_strain; }},
-      {"turned", none, &O::turned},
-      {"beyond_small_turn", none, &O::beyond_small_turn},
+      {"restitution", none, help::normal_restitution, &O::restitution},
+      {"tangential_restitution", none, help::tangential_restitution, &O::tangential_restitution},
+      {"sliding", speed, help::sliding, &O::sliding},
+      {"sliding_after", speed, help::sliding_after, &O::sliding_after},
+      {"tangential_after", speed, help::tangential_after, &O::tangential_after},
+      {"spin_after", frequency, help::spin_after, &O::spin_after},
+      {"second_spin_after", frequency, help::second_spin_after, &O::second_spin_after},
+      {"contact_time", time, help::contact_time, [](const O& o) { return o.normal.contact_time; }},
+      {"max_force", force, help::max_force, [](const O& o) { return o.normal.max_force; }},
+      {"max_compression", length, help::max_compression, [](const O& o) { return o.normal.max_compression; }},
+      {"max_half_width", length, help::max_half_width, [](const O& o) { return o.normal.max_half_width; }},
+      {"cutoff", frequency, help::cutoff, [](const O& o) { return o.normal.cutoff; }},
+      {"step", time, help::step, [](const O& o) { return o.normal.resolution.step; }},
+      {"nodes", none, help::nodes, [](const O& o) { return o.normal.resolution.nodes; }},
+      {"half_width", length, help::half_width, [](const O& o) { return o.normal.resolution.half_width; }},
+      {"steps", none, help::steps, [](const O& o) { return o.normal.steps; }},
+      {"energy_error", none, help::energy_error, &O::energy_error},
+      {"momentum_error", none, help::momentum_error,
+       [](const O& o) { return std::max(o.momentum_error, o.normal.momentum_error); }},
+      {"angular_momentum_error", none, "Missing angular momentum as a share of that of the motion before",
+       &O::angular_momentum_error},
+      {"stays", none, help::stays, [](const O& o) { return o.normal.remaining > 0.0; }},
+      {"strain", none, help::strain, [](const O& o) { return o.normal.strain; }},
+      {"beyond_small_strain", none, help::beyond_small_strain, [](const O& o) { return o.normal.beyond_small_strain; }},
+      {"turned", none, help::turned, &O::turned},
+      {"beyond_small_turn", none, help::beyond_small_turn, &O::beyond_small_turn},
   };
   return all;
 }
@@ -86,24 +93,25 @@ const Quantities<ObliqueImpact>& oblique_impact_quantities() {
 const Quantities<ObliqueSnapshot>& oblique_snapshot_quantities() {
   using S = ObliqueSnapshot;
   static const Quantities<S> all{
-      {"time", time, &S::time},
-      {"center", length, &S::center},
-      {"shift", length, &S::shift},
-      {"velocity", speed, &S::velocity},
-      {"tangential", speed, &S::tangential},
-      {"angle", none, &S::angle},
-      {"second_angle", none, &S::second_angle},
-      {"spin", frequency, &S::spin},
-      {"second_spin", frequency, &S::second_spin},
-      {"force", force, &S::force},
-      {"friction", force, &S::friction},
-      {"touching", none, &S::touching},
-      {"translation", none, [](const S& s) { return s.energy.translation; }},
-      {"across", none, [](const S& s) { return s.energy.across; }},
-      {"rotation", none, [](const S& s) { return s.energy.rotation; }},
-      {"second_rotation", none, [](const S& s) { return s.energy.second_rotation; }},
-      {"elastic", none, [](const S& s) { return s.energy.elastic; }},
-      {"friction_loss", none, [](const S& s) { return s.energy.friction; }},
+      {"time", time, help::time, &S::time},
+      {"center", length, help::center, &S::center},
+      {"shift", length, "Distance that the first body has moved along the surface since the start", &S::shift},
+      {"velocity", speed, "Speed of approach along the normal", &S::velocity},
+      {"tangential", speed, "Velocity of the first body along the surface", &S::tangential},
+      {"angle", none, "Angle in radians by which the first body has turned since the start", &S::angle},
+      {"second_angle", none, "Angle in radians by which the second body has turned since the start", &S::second_angle},
+      {"spin", frequency, "Spin of the first body", &S::spin},
+      {"second_spin", frequency, "Spin of the second body", &S::second_spin},
+      {"force", force, help::force, &S::force},
+      {"friction", force, "Force of friction, positive where it slows the first body", &S::friction},
+      {"touching", none, "Number of contact points with pressure", &S::touching},
+      {"translation", none, help::normal_translation, [](const S& s) { return s.energy.translation; }},
+      {"across", none, help::across, [](const S& s) { return s.energy.across; }},
+      {"rotation", none, help::rotation, [](const S& s) { return s.energy.rotation; }},
+      {"second_rotation", none, help::second_rotation, [](const S& s) { return s.energy.second_rotation; }},
+      {"elastic", none, "Share of the initial energy that went into the deformation of the bodies",
+       [](const S& s) { return s.energy.elastic; }},
+      {"friction_loss", none, help::friction_loss, [](const S& s) { return s.energy.friction; }},
   };
   return all;
 }
@@ -111,11 +119,17 @@ const Quantities<ObliqueSnapshot>& oblique_snapshot_quantities() {
 const Quantities<ObliqueLedger>& oblique_ledger_quantities() {
   using L = ObliqueLedger;
   static const Quantities<L> all{
-      {"translation", none, &L::translation}, {"across", none, &L::across},
-      {"rotation", none, &L::rotation},       {"second_rotation", none, &L::second_rotation},
-      {"vibration", none, &L::vibration},     {"second_vibration", none, &L::second_vibration},
-      {"dissipated", none, &L::dissipated},   {"friction", none, &L::friction},
-      {"unresolved", none, &L::unresolved},   {"stored", none, &L::stored},
+      {"translation", none, help::normal_translation, &L::translation},
+      {"across", none, help::across, &L::across},
+      {"rotation", none, help::rotation, &L::rotation},
+      {"second_rotation", none, help::second_rotation, &L::second_rotation},
+      {"vibration", none, "Share of the initial energy in the vibration of the first body's kept modes", &L::vibration},
+      {"second_vibration", none, "Share of the initial energy in the vibration of the second body's kept modes",
+       &L::second_vibration},
+      {"dissipated", none, help::dissipated, &L::dissipated},
+      {"friction", none, help::friction_loss, &L::friction},
+      {"unresolved", none, help::unresolved, &L::unresolved},
+      {"stored", none, help::stored, &L::stored},
   };
   return all;
 }
@@ -123,13 +137,14 @@ const Quantities<ObliqueLedger>& oblique_ledger_quantities() {
 const Quantities<ModeEnergy>& mode_energy_quantities() {
   using M = ModeEnergy;
   static const Quantities<M> all{
-      {"body", none, [](const M& m) { return std::string(m.body == 0 ? "first" : "second"); }},
-      {"order", none, &M::order},
-      {"index", none, &M::index},
-      {"omega", frequency, &M::omega},
-      {"before", none, &M::before},
-      {"average", none, &M::average},
-      {"after", none, &M::after},
+      {"body", none, "Which body vibrates in this mode: first or second",
+       [](const M& m) { return std::string(m.body == 0 ? "first" : "second"); }},
+      {"order", none, help::order, &M::order},
+      {"index", none, help::index, &M::index},
+      {"omega", frequency, help::omega, &M::omega},
+      {"before", none, "Energy of the mode before the impact, as a share of the initial energy", &M::before},
+      {"average", none, "Mean energy of the mode during the contact, as a share of the initial energy", &M::average},
+      {"after", none, "Energy of the mode after the impact, as a share of the initial energy", &M::after},
   };
   return all;
 }
@@ -137,16 +152,16 @@ const Quantities<ModeEnergy>& mode_energy_quantities() {
 const Quantities<Snapshot>& snapshot_quantities() {
   using S = Snapshot;
   static const Quantities<S> all{
-      {"time", time, &S::time},
-      {"center", length, &S::center},
-      {"velocity", speed, &S::velocity},
-      {"force", force, &S::force},
-      {"translation", none, &S::translation},
-      {"vibration", none, &S::vibration},
-      {"stored", none, &S::stored},
-      {"dissipated", none, &S::dissipated},
-      {"unresolved", none, &S::unresolved},
-      {"contact_half_width", length, &S::contact_half_width},
+      {"time", time, help::time, &S::time},
+      {"center", length, help::center, &S::center},
+      {"velocity", speed, "Velocity of the first body's centre of mass towards the other", &S::velocity},
+      {"force", force, help::force, &S::force},
+      {"translation", none, help::translation, &S::translation},
+      {"vibration", none, help::vibration, &S::vibration},
+      {"stored", none, help::stored, &S::stored},
+      {"dissipated", none, help::dissipated, &S::dissipated},
+      {"unresolved", none, help::unresolved, &S::unresolved},
+      {"contact_half_width", length, "Half-width of the contact, of spheres its radius", &S::contact_half_width},
   };
   return all;
 }

@@ -1,5 +1,7 @@
 #include "stoss/quasistatic/quantities.hpp"
 
+#include "quantity_help.hpp"
+
 namespace stoss::quasistatic {
 
 using enum Dimension;
@@ -19,9 +21,9 @@ WithError lost_fraction(const Estimate& of) {
 template <typename Impact>
 Quantities<Impact> of_slow_impact() {
   return {
-      {"contact_time", time, &Impact::contact_time},
-      {"max_compression", length, &Impact::max_compression},
-      {"max_force", force, &Impact::max_force},
+      {"contact_time", time, help::slow_contact_time, &Impact::contact_time},
+      {"max_compression", length, help::slow_max_compression, &Impact::max_compression},
+      {"max_force", force, help::max_force, &Impact::max_force},
   };
 }
 
@@ -29,12 +31,16 @@ Quantities<Impact> of_slow_impact() {
 template <typename Estimate, typename Impact>
 Quantities<Estimate> of_estimate(Quantities<Estimate> quantities, const Quantities<Impact>& of_impacts) {
   for (const Quantity<Impact>& of_impact : of_impacts) {
-    quantities.emplace_back(of_impact.name, of_impact.dimension,
+    quantities.emplace_back(of_impact.name, of_impact.dimension, of_impact.help,
                             [value = of_impact.value](const Estimate& e) { return value(e.impact); });
   }
-  quantities.emplace_back("kinetic_share", none, &Estimate::kinetic_share);
-  quantities.emplace_back("beyond_perturbation", none, &Estimate::beyond_perturbation);
-  quantities.emplace_back("modes", none, [](const Estimate& e) { return static_cast<long>(e.modes.size()); });
+  quantities.emplace_back("kinetic_share", none,
+                          "Maximum kinetic energy of the modes as they follow the force, over the energy before",
+                          &Estimate::kinetic_share);
+  quantities.emplace_back("beyond_perturbation", none, "Whether the modes move too much for perturbation theory",
+                          &Estimate::beyond_perturbation);
+  quantities.emplace_back("modes", none, "Number of modes that the impact drives",
+                          [](const Estimate& e) { return static_cast<long>(e.modes.size()); });
   return quantities;
 }
 
@@ -48,7 +54,7 @@ const Quantities<SlowImpact>& slow_impact_quantities() {
 const Quantities<PointSlowImpact>& point_slow_impact_quantities() {
   static const Quantities<PointSlowImpact> all = [] {
     auto quantities = of_slow_impact<PointSlowImpact>();
-    quantities.emplace_back("max_radius", length, &PointSlowImpact::max_radius);
+    quantities.emplace_back("max_radius", length, help::max_radius, &PointSlowImpact::max_radius);
     return quantities;
   }();
   return all;
@@ -57,14 +63,17 @@ const Quantities<PointSlowImpact>& point_slow_impact_quantities() {
 const Quantities<RayleighEstimate>& rayleigh_quantities() {
   using E = RayleighEstimate;
   static const Quantities<E> all =
-      of_estimate<E>({{"lost_fraction", none, lost_fraction<E>}}, slow_impact_quantities());
+      of_estimate<E>({{"lost_fraction", none, help::lost_fraction, lost_fraction<E>}}, slow_impact_quantities());
   return all;
 }
 
 const Quantities<PointRayleighEstimate>& point_rayleigh_quantities() {
   using E = PointRayleighEstimate;
   static const Quantities<E> all =
-      of_estimate<E>({{"lost_fraction", none, lost_fraction<E>}, {"mean_lost_fraction", none, &E::mean_lost_fraction}},
+      of_estimate<E>({{"lost_fraction", none, help::lost_fraction, lost_fraction<E>},
+                      {"mean_lost_fraction", none,
+                       "Mean of the lost fraction over phases, without interference of compression and release",
+                       &E::mean_lost_fraction}},
                      point_slow_impact_quantities());
   return all;
 }
@@ -72,8 +81,12 @@ const Quantities<PointRayleighEstimate>& point_rayleigh_quantities() {
 const Quantities<DrivenMode>& driven_mode_quantities() {
   using M = DrivenMode;
   static const Quantities<M> all{
-      {"order", none, &M::order},         {"index", none, &M::index}, {"omega", frequency, &M::omega},
-      {"amplitude", none, &M::amplitude}, {"after", none, &M::after},
+      {"order", none, help::order, &M::order},
+      {"index", none, help::index, &M::index},
+      {"omega", frequency, help::omega, &M::omega},
+      {"amplitude", none, "Fourier amplitude of the force at the frequency of the mode, over the speed before",
+       &M::amplitude},
+      {"after", none, "Energy of the mode after the impact, as a share of the energy before", &M::after},
   };
   return all;
 }
@@ -81,8 +94,12 @@ const Quantities<DrivenMode>& driven_mode_quantities() {
 const Quantities<SoftStaticContact>& soft_static_contact_quantities() {
   using C = SoftStaticContact;
   static const Quantities<C> all{
-      {"force", force, &C::force}, {"energy", energy, &C::energy}, {"wall_energy", energy, &C::wall_energy},
-      {"modes", none, &C::modes},  {"nodes", none, &C::nodes},     {"newton_steps", none, &C::newton_steps},
+      {"force", force, help::force, &C::force},
+      {"energy", energy, "Energy of the modes and of the wall", &C::energy},
+      {"wall_energy", energy, "Energy that the wall stores", &C::wall_energy},
+      {"modes", none, help::modes, &C::modes},
+      {"nodes", none, help::nodes, &C::nodes},
+      {"newton_steps", none, "Number of Newton steps", &C::newton_steps},
   };
   return all;
 }
@@ -90,13 +107,14 @@ const Quantities<SoftStaticContact>& soft_static_contact_quantities() {
 const Quantities<HalfSpaceRadiation>& half_space_radiation_quantities() {
   using R = HalfSpaceRadiation;
   static const Quantities<R> all{
-      {"lost_fraction", none, lost_fraction<R>},
-      {"contact_time", time, &R::contact_time},
-      {"max_compression", length, &R::max_compression},
-      {"max_force", force, &R::max_force},
-      {"max_radius", length, &R::max_radius},
-      {"first_order", none, &R::first_order},
-      {"beyond_perturbation", none, &R::beyond_perturbation},
+      {"lost_fraction", none, help::lost_fraction, lost_fraction<R>},
+      {"contact_time", time, help::slow_contact_time, &R::contact_time},
+      {"max_compression", length, help::slow_max_compression, &R::max_compression},
+      {"max_force", force, help::max_force, &R::max_force},
+      {"max_radius", length, help::max_radius, &R::max_radius},
+      {"first_order", none, "Lost fraction to first order", &R::first_order},
+      {"beyond_perturbation", none, "Whether the error is above a tenth of the loss, beyond perturbation theory",
+       &R::beyond_perturbation},
   };
   return all;
 }
@@ -104,10 +122,10 @@ const Quantities<HalfSpaceRadiation>& half_space_radiation_quantities() {
 const Quantities<LossyImpact>& lossy_impact_quantities() {
   using L = LossyImpact;
   static const Quantities<L> all{
-      {"restitution", none, &L::restitution},
-      {"loss_number", none, &L::loss_number},
-      {"contact_time", time, &L::contact_time},
-      {"max_compression", length, &L::max_compression},
+      {"restitution", none, help::restitution, &L::restitution},
+      {"loss_number", none, "Loss number of the contact, on which alone the restitution depends", &L::loss_number},
+      {"contact_time", time, help::slow_contact_time, &L::contact_time},
+      {"max_compression", length, help::slow_max_compression, &L::max_compression},
   };
   return all;
 }

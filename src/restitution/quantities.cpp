@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "quantity_help.hpp"
+
 namespace stoss {
 namespace {
 
@@ -23,42 +25,42 @@ using enum Dimension;
 const Quantities<Restitution>& restitution_quantities() {
   using R = Restitution;
   static const Quantities<R> all{
-      {"restitution", none, &R::restitution},
-      {"lost_fraction", none, &R::lost_fraction},
-      {"contact_time", time, &R::contact_time},
-      {"impulse_time", time, &R::impulse_time},
-      {"max_compression", length, &R::max_compression},
-      {"max_force", force, &R::max_force},
-      {"lost_to_first", none, &R::lost_to_first},
-      {"lost_to_second", none, &R::lost_to_second},
-      {"dissipated", none, &R::dissipated},
-      {"cutoff", frequency, [](const R& r) { return finest(r, r.finest.cutoff); }},
-      {"modes", none, [](const R& r) { return count(r.finest.energy.modes); }},
-      {"runs", none, [](const R& r) { return count(r.runs); }},
-      {"steps", none, &R::steps},
-      {"energy_error", none, [](const R& r) { return finest(r, r.finest.energy_error); }},
-      {"converged", none, &R::converged},
-      {"stays", none, [](const R& r) { return r.finest.remaining > 0.0; }},
-      {"strain", none, [](const R& r) { return finest(r, r.finest.strain); }},
-      {"beyond_small_strain", none, [](const R& r) { return r.finest.beyond_small_strain; }},
+      {"restitution", none, help::restitution, &R::restitution},
+      {"lost_fraction", none, help::lost_fraction, &R::lost_fraction},
+      {"contact_time", time, help::contact_time, &R::contact_time},
+      {"impulse_time", time, help::impulse_time, &R::impulse_time},
+      {"max_compression", length, help::max_compression, &R::max_compression},
+      {"max_force", force, help::max_force, &R::max_force},
+      {"lost_to_first", none, help::lost_to_first, &R::lost_to_first},
+      {"lost_to_second", none, help::lost_to_second, &R::lost_to_second},
+      {"dissipated", none, help::dissipated, &R::dissipated},
+      {"cutoff", frequency, help::cutoff, [](const R& r) { return finest(r, r.finest.cutoff); }},
+      {"modes", none, help::modes, [](const R& r) { return count(r.finest.energy.modes); }},
+      {"runs", none, help::runs, [](const R& r) { return count(r.runs); }},
+      {"steps", none, help::all_steps, &R::steps},
+      {"energy_error", none, help::energy_error, [](const R& r) { return finest(r, r.finest.energy_error); }},
+      {"converged", none, help::converged, &R::converged},
+      {"stays", none, help::stays, [](const R& r) { return r.finest.remaining > 0.0; }},
+      {"strain", none, help::strain, [](const R& r) { return finest(r, r.finest.strain); }},
+      {"beyond_small_strain", none, help::beyond_small_strain, [](const R& r) { return r.finest.beyond_small_strain; }},
   };
   return all;
 }
 
 const Quantities<Run>& run_quantities() {
   static const Quantities<Run> all{
-      {"cutoff", frequency, &Run::cutoff},
-      {"step", time, [](const Run& run) { return run.resolution.step; }},
-      {"nodes", none, [](const Run& run) { return run.resolution.nodes; }},
-      {"lost_fraction", none, &Run::lost_fraction},
-      {"dissipated", none, &Run::dissipated},
-      {"unresolved", none, &Run::unresolved},
-      {"contact_time", time, &Run::contact_time},
-      {"impulse_time", time, &Run::impulse_time},
-      {"max_force", force, &Run::max_force},
-      {"max_compression", length, &Run::max_compression},
-      {"energy_error", none, &Run::energy_error},
-      {"steps", none, &Run::steps},
+      {"cutoff", frequency, help::cutoff, &Run::cutoff},
+      {"step", time, help::step, [](const Run& run) { return run.resolution.step; }},
+      {"nodes", none, help::nodes, [](const Run& run) { return run.resolution.nodes; }},
+      {"lost_fraction", none, help::lost_fraction, &Run::lost_fraction},
+      {"dissipated", none, help::dissipated, &Run::dissipated},
+      {"unresolved", none, help::unresolved, &Run::unresolved},
+      {"contact_time", time, help::contact_time, &Run::contact_time},
+      {"impulse_time", time, help::impulse_time, &Run::impulse_time},
+      {"max_force", force, help::max_force, &Run::max_force},
+      {"max_compression", length, help::max_compression, &Run::max_compression},
+      {"energy_error", none, help::energy_error, &Run::energy_error},
+      {"steps", none, help::steps, &Run::steps},
   };
   return all;
 }
@@ -66,31 +68,37 @@ const Quantities<Run>& run_quantities() {
 const Quantities<ObliqueRestitution>& oblique_quantities() {
   using O = ObliqueRestitution;
   static const Quantities<O> all{
-      {"restitution", none, &O::restitution},
-      {"tangential_restitution", none, &O::tangential_restitution},
-      {"sliding", speed, &O::sliding},
-      {"sliding_after", speed, &O::sliding_after},
-      {"tangential_after", speed, &O::tangential_after},
-      {"spin_after", frequency, &O::spin_after},
-      {"second_spin_after", frequency, &O::second_spin_after},
-      {"friction_loss", none, &O::friction_loss},
-      {"vibration", none, &O::vibration},
-      {"dundurs", none, [](const O& o) { return o.neglected.dundurs; }},
-      {"coupling_restitution", none, [](const O& o) { return o.neglected.restitution; }},
-      {"coupling_tangential_restitution", none, [](const O& o) { return o.neglected.tangential_restitution; }},
-      {"coupling_sliding_after", speed, [](const O& o) { return o.neglected.sliding_after; }},
-      {"contact_time", time, [](const O& o) { return finest(o, o.finest.normal.contact_time); }},
-      {"cutoff", frequency, [](const O& o) { return finest(o, o.finest.normal.cutoff); }},
-      {"runs", none, [](const O& o) { return count(o.runs); }},
-      {"steps", none, &O::steps},
-      {"energy_error", none, [](const O& o) { return finest(o, o.finest.energy_error); }},
-      {"converged", none, &O::converged},
-      {"unstable", none, &O::unstable},
-      {"stays", none, [](const O& o) { return o.finest.normal.remaining > 0.0; }},
-      {"strain", none, [](const O& o) { return finest(o, o.finest.normal.strain); }},
-      {"beyond_small_strain", none, [](const O& o) { return o.finest.normal.beyond_small_strain; }},
-      {"turned", none, [](const O& o) { return finest(o, o.finest.turned); }},
-      {"beyond_small_turn", none, [](const O& o) { return o.finest.beyond_small_turn; }},
+      {"restitution", none, help::normal_restitution, &O::restitution},
+      {"tangential_restitution", none, help::tangential_restitution, &O::tangential_restitution},
+      {"sliding", speed, help::sliding, &O::sliding},
+      {"sliding_after", speed, help::sliding_after, &O::sliding_after},
+      {"tangential_after", speed, help::tangential_after, &O::tangential_after},
+      {"spin_after", frequency, help::spin_after, &O::spin_after},
+      {"second_spin_after", frequency, help::second_spin_after, &O::second_spin_after},
+      {"friction_loss", none, help::friction_loss, &O::friction_loss},
+      {"vibration", none, help::vibration_after, &O::vibration},
+      {"dundurs", none, "Size of Dundurs' beta of both bodies, which couples pressure and friction",
+       [](const O& o) { return o.neglected.dundurs; }},
+      {"coupling_restitution", none, "Change of the restitution by the neglected coupling of pressure and friction",
+       [](const O& o) { return o.neglected.restitution; }},
+      {"coupling_tangential_restitution", none, "Change of the tangential restitution by the neglected coupling",
+       [](const O& o) { return o.neglected.tangential_restitution; }},
+      {"coupling_sliding_after", speed, "Change of the sliding speed after by the neglected coupling",
+       [](const O& o) { return o.neglected.sliding_after; }},
+      {"contact_time", time, help::contact_time, [](const O& o) { return finest(o, o.finest.normal.contact_time); }},
+      {"cutoff", frequency, help::cutoff, [](const O& o) { return finest(o, o.finest.normal.cutoff); }},
+      {"runs", none, help::runs, [](const O& o) { return count(o.runs); }},
+      {"steps", none, help::all_steps, &O::steps},
+      {"energy_error", none, help::energy_error, [](const O& o) { return finest(o, o.finest.energy_error); }},
+      {"converged", none, help::converged, &O::converged},
+      {"unstable", none, "Whether friction is so high that waves of any length grow, so that nothing has a limit",
+       &O::unstable},
+      {"stays", none, help::stays, [](const O& o) { return o.finest.normal.remaining > 0.0; }},
+      {"strain", none, help::strain, [](const O& o) { return finest(o, o.finest.normal.strain); }},
+      {"beyond_small_strain", none, help::beyond_small_strain,
+       [](const O& o) { return o.finest.normal.beyond_small_strain; }},
+      {"turned", none, help::turned, [](const O& o) { return finest(o, o.finest.turned); }},
+      {"beyond_small_turn", none, help::beyond_small_turn, [](const O& o) { return o.finest.beyond_small_turn; }},
   };
   return all;
 }
@@ -98,19 +106,19 @@ const Quantities<ObliqueRestitution>& oblique_quantities() {
 const Quantities<ObliqueRun>& oblique_run_quantities() {
   using R = ObliqueRun;
   static const Quantities<R> all{
-      {"cutoff", frequency, &R::cutoff},
-      {"step", time, [](const R& run) { return run.resolution.step; }},
-      {"nodes", none, [](const R& run) { return run.resolution.nodes; }},
-      {"restitution", none, &R::restitution},
-      {"sliding_after", speed, &R::sliding_after},
-      {"tangential_after", speed, &R::tangential_after},
-      {"spin_after", frequency, &R::spin_after},
-      {"second_spin_after", frequency, &R::second_spin_after},
-      {"friction_loss", none, &R::friction_loss},
-      {"vibration", none, &R::vibration},
-      {"unresolved", none, &R::unresolved},
-      {"energy_error", none, &R::energy_error},
-      {"steps", none, &R::steps},
+      {"cutoff", frequency, help::cutoff, &R::cutoff},
+      {"step", time, help::step, [](const R& run) { return run.resolution.step; }},
+      {"nodes", none, help::nodes, [](const R& run) { return run.resolution.nodes; }},
+      {"restitution", none, help::normal_restitution, &R::restitution},
+      {"sliding_after", speed, help::sliding_after, &R::sliding_after},
+      {"tangential_after", speed, help::tangential_after, &R::tangential_after},
+      {"spin_after", frequency, help::spin_after, &R::spin_after},
+      {"second_spin_after", frequency, help::second_spin_after, &R::second_spin_after},
+      {"friction_loss", none, help::friction_loss, &R::friction_loss},
+      {"vibration", none, help::vibration_after, &R::vibration},
+      {"unresolved", none, help::unresolved, &R::unresolved},
+      {"energy_error", none, help::energy_error, &R::energy_error},
+      {"steps", none, help::steps, &R::steps},
   };
   return all;
 }
@@ -118,10 +126,10 @@ const Quantities<ObliqueRun>& oblique_run_quantities() {
 const Quantities<ExtrapolatedRestitution>& extrapolation_quantities() {
   using E = ExtrapolatedRestitution;
   static const Quantities<E> all{
-      {"restitution", none, &E::restitution},
-      {"lost_fraction", none, &E::lost_fraction},
-      {"impacts", none, [](const E& e) { return count(e.impacts); }},
-      {"steps", none, &E::steps},
+      {"restitution", none, help::restitution, &E::restitution},
+      {"lost_fraction", none, help::lost_fraction, &E::lost_fraction},
+      {"impacts", none, "Number of impacts with soft walls", [](const E& e) { return count(e.impacts); }},
+      {"steps", none, help::all_steps, &E::steps},
   };
   return all;
 }
@@ -129,11 +137,11 @@ const Quantities<ExtrapolatedRestitution>& extrapolation_quantities() {
 const Quantities<SoftImpact>& soft_impact_quantities() {
   using S = SoftImpact;
   static const Quantities<S> all{
-      {"cutoff", frequency, &S::cutoff},
-      {"modes", none, &S::modes},
-      {"hardness", inverse_length, &S::hardness},
-      {"lost_fraction", none, &S::lost_fraction},
-      {"steps", none, &S::steps},
+      {"cutoff", frequency, help::cutoff, &S::cutoff},
+      {"modes", none, help::modes, &S::modes},
+      {"hardness", inverse_length, "Hardness of the exponential wall", &S::hardness},
+      {"lost_fraction", none, help::lost_fraction, &S::lost_fraction},
+      {"steps", none, help::steps, &S::steps},
   };
   return all;
 }

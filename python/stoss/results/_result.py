@@ -28,7 +28,7 @@ QUANTITIES: Mapping[str, Mapping[str, str]] = MappingProxyType(
         kind: MappingProxyType(
             {
                 column: dimension
-                for name, dimension, has_error in table
+                for name, dimension, has_error, _ in table
                 for column in ((name, f"{name}_error") if has_error else (name,))
             }
         )

@@ -8,6 +8,7 @@
 #include "bodies/disk/static_field.hpp"
 #include "bodies/mode_checks.hpp"
 #include "check.hpp"
+#include "quantity_help.hpp"
 
 namespace stoss::bodies::disk {
 
@@ -67,8 +68,12 @@ const Quantities<Mode>& mode_quantities() {
     return std::string(family(mode) == ModeFamily::radial ? "radial" : "tangential");
   };
   static const Quantities<Mode> all{
-      {"order", none, &Mode::order},   {"index", none, &Mode::index},           {"omega", frequency, &Mode::omega},
-      {"radial", none, &Mode::radial}, {"tangential", none, &Mode::tangential}, {"family", none, family_name},
+      {"order", none, help::order, &Mode::order},
+      {"index", none, help::index, &Mode::index},
+      {"omega", frequency, help::omega, &Mode::omega},
+      {"radial", none, help::radial, &Mode::radial},
+      {"tangential", none, help::tangential, &Mode::tangential},
+      {"family", none, "Family of the mode, radial or tangential by its larger amplitude at the edge", family_name},
   };
   return all;
 }

@@ -6,6 +6,7 @@
 #include "bodies/sphere/static_field.hpp"
 #include "bodies/sphere/static_flexibility.hpp"
 #include "check.hpp"
+#include "quantity_help.hpp"
 
 namespace stoss::bodies::sphere {
 namespace {
@@ -64,8 +65,11 @@ std::vector<Displacement> displacement(double poisson, const Mode& mode, const s
 const Quantities<Mode>& mode_quantities() {
   using enum Dimension;
   static const Quantities<Mode> all{
-      {"order", none, &Mode::order},   {"index", none, &Mode::index},           {"omega", frequency, &Mode::omega},
-      {"radial", none, &Mode::radial}, {"tangential", none, &Mode::tangential},
+      {"order", none, help::order, &Mode::order},
+      {"index", none, help::index, &Mode::index},
+      {"omega", frequency, help::omega, &Mode::omega},
+      {"radial", none, help::radial, &Mode::radial},
+      {"tangential", none, help::tangential, &Mode::tangential},
   };
   return all;
 }

@@ -52,10 +52,10 @@ struct Fall {
   bool good = false;
 };
 
-const Quantities<Fall> quantities{{"number", Dimension::none, &Fall::number},
-                                  {"height", Dimension::length, &Fall::height},
-                                  {"time", Dimension::time, &Fall::time},
-                                  {"good", Dimension::none, &Fall::good}};
+const Quantities<Fall> quantities{{"number", Dimension::none, "", &Fall::number},
+                                  {"height", Dimension::length, "", &Fall::height},
+                                  {"time", Dimension::time, "", &Fall::time},
+                                  {"good", Dimension::none, "", &Fall::good}};
 
 const Fields<Fall> fields(quantities, {},
                           {{"number", {.width = 7}},

@@ -8,7 +8,7 @@ import pytest
 import stoss
 
 QUANTITIES = {
-    kind: [column for name, _, has_error in table for column in ((name, f"{name}_error") if has_error else (name,))]
+    kind: [column for name, _, has_error, _ in table for column in ((name, f"{name}_error") if has_error else (name,))]
     for kind, table in stoss._core.quantities.items()
 }
 Q = stoss.quasistatic

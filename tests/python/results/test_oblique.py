@@ -9,7 +9,7 @@ import stoss
 BALL = stoss.Sphere(poisson=0.3)
 STEEL = stoss.Material(young=2.1e11, poisson=0.3, density=7850)
 SHOT = stoss.Sphere(radius=0.01, material=STEEL)
-COLUMNS = [name for name, _, _ in stoss._core.quantities["oblique"]]
+COLUMNS = [name for name, *_ in stoss._core.quantities["oblique"]]
 
 
 @pytest.fixture(scope="module")
