@@ -11,7 +11,7 @@ import type { Encounter, Motion, Restitution } from './core/protocol';
 import { find, messageOf } from './drawing/dom';
 import { fromAddress } from './inputs/address';
 import { refusal } from './inputs/check';
-import { equal, meetsBody } from './inputs/document';
+import { equal, meetingOf, meetsBody } from './inputs/document';
 import { equalInputs, motionOf, type Inputs } from './inputs/inputs';
 import { onAxisOf, usualSeries } from './inputs/units';
 import { createAddressBar } from './page/address_bar';
@@ -115,7 +115,7 @@ function pick(change: Partial<Inputs>): void {
 
 /** Whether a ball under a table is shown: with gravity, between what does not move. */
 function hasHops(encounter: Encounter, { friction }: Motion): boolean {
-  return friction !== 0 && encounter.si && !meetsBody(encounter);
+  return friction !== 0 && meetingOf(encounter).si && !meetsBody(encounter);
 }
 
 /** New inputs from the form, the curve or the list of kept curves. */

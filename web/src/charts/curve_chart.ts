@@ -4,7 +4,7 @@ import { least } from 'd3-array';
 import { html } from 'lit-html';
 import { rounded, withError, written } from '../drawing/numbers';
 import { description } from '../inputs/lines';
-import { drawCurves, speedsOf, type Curve, type CurveContent } from './curve_picture';
+import { drawCurves, speedUnitOf, speedsOf, type Curve, type CurveContent } from './curve_picture';
 import { type ModelPoint, modelInWords } from './model_picture';
 import { createPicker } from './picker';
 
@@ -35,7 +35,7 @@ export function createCurveChart(host: HTMLElement, pick: (speed: number) => voi
   }
 
   function inWords({ speed, restitution, error }: Current): string {
-    const unit = content.curves[0]?.encounter.si ? 'm/s' : 'c';
+    const unit = speedUnitOf(content);
     return `v = ${written(speed, 3)} ${unit}: ε = ${withError(restitution, error)}`;
   }
 

@@ -3,6 +3,7 @@ import * as Plot from '@observablehq/plot';
 import { extent } from 'd3-array';
 import type { CurvePoint, Encounter } from '../core/protocol';
 import { type Drawn, type Scale, draw, drawLegend } from '../drawing/plot';
+import { meetingOf } from '../inputs/document';
 import { description } from '../inputs/lines';
 import { look, type Look, type Theme } from '../drawing/theme';
 import { type ModelPoint, endsOfSpread, modelLook, modelMarks } from './model_picture';
@@ -63,13 +64,18 @@ export function speedsOf({ curves, current }: CurveContent): Scale {
   ]);
 }
 
+/** The unit of its speeds. */
+export function speedUnitOf({ curves: [first] }: CurveContent): string {
+  return first && meetingOf(first.encounter).si ? 'm/s' : 'c';
+}
+
 /** Draws all curves and the current point; and a legend. */
 export function drawCurves(content: CurveContent, width: number, theme: Theme): [Drawn, Drawn] {
   const { curves, current, ordinate, model } = content;
   const x = speedsOf(content);
   const y = ordinateScale(ordinate,
     [...curves.flatMap((each) => each.points), ...(current ? [current] : []), ...endsOfSpread(model)]);
-  const unit = curves[0]?.encounter.si ? 'm/s' : 'c';
+  const unit = speedUnitOf(content);
   const height = Math.min(340, Math.max(220, 0.5 * width));
   const chart = draw({
     width, height,

@@ -10,8 +10,8 @@ import { chartIn } from '../drawing/pictures';
 import { withUnit, written } from '../drawing/numbers';
 import { BESIDE, stacked, type Drawn } from '../drawing/plot';
 import { readTheme } from '../drawing/theme';
-import { equal } from '../inputs/document';
-import { isBlock, kindNamed } from '../inputs/kinds';
+import { equal, meetingOf, meetsBody } from '../inputs/document';
+import { isBlock } from '../inputs/kinds';
 import { evenGrid } from '../scene/grid';
 import { partsOf } from '../scene/parts';
 import {
@@ -57,7 +57,7 @@ export function createModeBars(host: HTMLElement, core: Core) {
   });
 
   function isPair(): boolean {
-    return now?.encounter.against === 'same' || now?.encounter.against === 'body';
+    return now !== undefined && meetsBody(now.encounter);
   }
 
   function bar(): ModeBar | undefined {
@@ -110,7 +110,7 @@ export function createModeBars(host: HTMLElement, core: Core) {
     return [
       layout.bars.length ? '' : 'No mode of this body has energy.',
       layout.omitted ? `${layout.omitted} more modes hold ${percent(layout.rest)} together.` : '',
-      isBlock(encounter.against) && chosen.when === 'after'
+      isBlock(meetingOf(encounter).against) && chosen.when === 'after'
         ? `The waves in the body it meets hold ${percent(energyOfWaves(collision))}.` : '',
     ].filter(Boolean).join(' ');
   }
@@ -124,7 +124,7 @@ export function createModeBars(host: HTMLElement, core: Core) {
   async function swingMode({ mode: its }: ModeBar): Promise<void> {
     const { encounter } = now!;
     const name = (swinging = mode);
-    const grid = evenGrid(encounter.kind);
+    const grid = evenGrid(meetingOf(encounter).kind);
     try {
       const asked = shapes.get(name) ?? core('shape', encounter, { ...its, grid });
       shapes.set(name, asked);
@@ -176,6 +176,7 @@ function percent(share: number): string {
 
 /** A frequency in words: ω in c/R, or in SI ω/2π in Hz. */
 export function frequencyInWords(omega: number, encounter: Encounter): string {
-  if (!encounter.si) return `ω = ${written(omega)} c/${kindNamed(encounter.kind).length}`;
+  const { si, first } = meetingOf(encounter);
+  if (!si) return `ω = ${written(omega)} c/${first.kind.length}`;
   return withUnit((omega * unitsOf(encounter).frequency) / (2 * Math.PI), 'Hz', 4);
 }

@@ -1,6 +1,5 @@
 // The core in workers: what is asked often does not wait for what takes long.
 import { compile, instantiate } from 'stoss';
-import { documentOf } from '../inputs/document';
 import { createLane, type Fellow, type Lane } from './lane';
 import { setLocal } from './local';
 import type { Core, Questions } from './protocol';
@@ -20,6 +19,6 @@ export async function createCore(): Promise<Core> {
       curve: lane(), obliqueAngles: lane(), header: lane(), prediction: lane(),
     };
   return withWarmUp((question, encounter, given, { deliver, signal } = {}) =>
-    lanes[question]({ question, given: { ...given, document: documentOf(encounter) } }, deliver, signal) as
+    lanes[question]({ question, given: { ...given, document: JSON.stringify(encounter) } }, deliver, signal) as
       Promise<never>);
 }

@@ -1,7 +1,6 @@
 // The core in the page's own thread, for what must be known at once: units, and whether numbers are right. All of it
 // throws CoreError with one line for what the core cannot do.
 import type { Ask } from 'stoss';
-import { documentOf } from '../inputs/document';
 import { CoreError, type Encounter, type Motion, type Thresholds, type Units } from './protocol';
 
 let core: Ask;
@@ -30,7 +29,7 @@ export function remember<Value>(map: Map<string, Value>, key: string, value: Val
 }
 
 export function unitsOf(encounter: Encounter): Units {
-  return ask('units', { document: documentOf(encounter) });
+  return ask('units', { document: JSON.stringify(encounter) });
 }
 
 /** Throws for what the core refuses of a document as it stands, where a key may be twice, which an object forgets. */
@@ -40,18 +39,18 @@ export function requireDocument(document: string): void {
 
 /** Whether a speed is in range: throws for one that is not. */
 export function requireSpeed(encounter: Encounter, speed: number): void {
-  ask('speed', { document: documentOf(encounter), speed });
+  ask('speed', { document: JSON.stringify(encounter), speed });
 }
 
 /** Whether a motion is in range: throws for one that is not. */
 export function requireMotion(encounter: Encounter, motion: Motion): void {
-  ask('motion', { document: documentOf(encounter), ...motion });
+  ask('motion', { document: JSON.stringify(encounter), ...motion });
 }
 
 /** At what speeds models of real materials begin to matter; undefined of what the core does not predict. */
 export function thresholdsOf(encounter: Encounter): Thresholds | undefined {
   try {
-    return ask('thresholds', { document: documentOf(encounter) });
+    return ask('thresholds', { document: JSON.stringify(encounter) });
   } catch (error) {
     if (error instanceof CoreError) return undefined;
     throw error;

@@ -1,11 +1,11 @@
 // Browsers compile what has run often once more, for all workers of a module: a first value that takes long on a
 // fresh page takes half as long after another one like it, in any worker.
-import { defaults } from '../inputs/inputs';
-import type { Core, Encounter } from './protocol';
+import { encounterOf, unitBody } from '../inputs/document';
+import type { Core } from './protocol';
 
 /** Those whose values take the longest. */
-const encounters = (['sphere', 'disk'] as const).map((kind): Encounter =>
-  ({ ...defaults.encounter, kind, against: 'half-space' }));
+const encounters = (['sphere', 'disk'] as const).map((kind) =>
+  encounterOf({ kind, si: false, plane: 'stress', against: 'half-space' }, unitBody));
 
 /** The core, which computes values of its own, where curves are computed, as soon as it has answered the first. */
 export function withWarmUp(core: Core): Core {

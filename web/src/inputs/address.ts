@@ -1,11 +1,13 @@
 // All inputs in the address of the page, in short readable keys: ?body=sphere&nu=0.3&v=0.01&against=half-space&nu2=0.2
-import type { Body, BodyFile, Encounter, Motion } from '../core/protocol';
+import type { Encounter, Motion } from '../core/protocol';
 import { rounded, shortest } from '../drawing/numbers';
 import { brief, motionProblem, parseNumber, repaired } from './check';
-import { type Side, sidesOf } from './document';
+import {
+  type Body, type Choice, type Side, ball, encounterOf, meetingOf, ofFile, unitBody, withBody,
+} from './document';
 import { motionFieldsOf, motions, names } from './fields';
-import { fileNamed, standIn } from './files';
-import { type Inputs, ball, defaults, mostKept, siSpeed, unitBody } from './inputs';
+import { fileNamed, nameOf } from './files';
+import { type Inputs, defaults, mostKept, siSpeed } from './inputs';
 import { type BodyField, type BodyKind, blockOf, blocks, bodyKinds } from './kinds';
 import { barSpeed } from './units';
 
@@ -32,19 +34,15 @@ export function toAddress(inputs: Inputs): string {
 }
 
 function pairsOf(encounter: Encounter, between: string): string[] {
-  const { kind, si, against } = encounter;
-  const [first, second] = sidesOf(encounter);
-  const numbers = ({ body, fields, second: other }: Side): [string, string][] =>
-    fields.filter((name) => name !== 'loss_time' || body[name] !== 0)
-      .map((name) => [keyOf(name, other), shortest(body[name])]);
-  const pairs: [string, string][] = [['body', kind]];
-  if (first.file) pairs.push(['file', first.file.name]);
-  if (si) pairs.push(['units', 'SI']);
-  if (first.strain) pairs.push(['plane', 'strain']);
-  pairs.push(...numbers(first));
-  if (against !== 'wall') pairs.push(['against', against]);
-  if (second?.file) pairs.push(['file2', second.file.name]);
-  if (second) pairs.push(...numbers(second));
+  const { kind, si, against, first, second } = meetingOf(encounter);
+  const numbers = ({ body, fields, second: other, file }: Side): [string, string][] => (
+    file ? [[other ? 'file2' : 'file', nameOf(file)]] : fields.filter((name) => name !== 'loss_time' || body[name] !== 0)
+      .map((name) => [keyOf(name, other), shortest(body[name])]));
+  const pairs: [string, string][] = [
+    ['body', kind], ...(first.file ? numbers(first) : []), ...(si ? [['units', 'SI']] as const : []),
+    ...(first.strain ? [['plane', 'strain']] as const : []), ...(first.file ? [] : numbers(first)),
+    ...(against === 'wall' ? [] : [['against', against]] as const), ...(second ? numbers(second) : []),
+  ] as [string, string][];
   return pairs.map((pair) => pair.join(between));
 }
 
@@ -114,7 +112,7 @@ function inRange(encounter: Encounter, problems: string[]): Encounter {
 
 /** The default speed, which must be one that the material of a link allows. */
 function normalSpeed(encounter: Encounter): number {
-  if (!encounter.si) return defaults.speed;
+  if (!meetingOf(encounter).si) return defaults.speed;
   const c = barSpeed(encounter);
   return rounded(Math.min(Math.max(siSpeed, 1e-7 * c), 0.1 * c), 3);
 }
@@ -125,19 +123,24 @@ function encounterFrom(reader: Reader): Encounter {
   const plane = reader.word('plane', ['stress', 'strain']);
   const others = ['wall', 'same', 'body'] as const;
   const against = reader.word('against', [...others, ...blocks.filter((name) => blockOf(kind, name))]);
+  const choice: Choice = { kind, si, plane, against };
+  const file = (key: string): object | undefined => (kind === 'sphere' && si ? reader.file(key) : undefined);
   const usual = si ? ball : unitBody;
-  const empty: Encounter = { kind, si, plane, first: usual, against, second: unitBody };
-  const firstFile = kind === 'sphere' && si ? reader.file('file') : undefined;
-  const secondFile = kind === 'sphere' && si && against === 'body' ? reader.file('file2') : undefined;
-  const encounter: Encounter = { ...empty, ...(firstFile && { firstFile }), ...(secondFile && { secondFile }) };
-  const filled = ({ fields, second }: Side, without: Body): Body => ({
-    ...unitBody, ...Object.fromEntries(fields.map((field) =>
-      [field, reader.number(keyOf(field, second), field === 'loss_time' ? 0 : without[field])])),
-  });
-  const [one, other] = sidesOf(encounter);
-  const first = firstFile ? standIn(firstFile) : filled(one, usual);
-  const second = secondFile ? standIn(secondFile) : other ? filled(other, si ? first : unitBody) : unitBody;
-  return { ...encounter, first, second };
+  let encounter = encounterOf(choice, usual, usual);
+  /** With the numbers of one side, or the body of its file. */
+  const filled = (second: boolean, without: Body): void => {
+    const its = second && against !== 'body' ? undefined : file(second ? 'file2' : 'file');
+    const side = meetingOf(encounter)[second ? 'second' : 'first'];
+    if (its) encounter = { ...encounter, [second ? 'against' : 'first']: ofFile(its) };
+    else if (side) {
+      const numbers = side.fields.map((field) =>
+        [field, reader.number(keyOf(field, second), field === 'loss_time' ? 0 : without[field])]);
+      encounter = withBody(encounter, second, { ...without, ...Object.fromEntries(numbers) as Body }, choice);
+    }
+  };
+  filled(false, usual);
+  filled(true, si ? meetingOf(encounter).first.body : unitBody);
+  return encounter;
 }
 
 /** Takes the values of an address by their keys; what is wrong with them goes to `problems`. */
@@ -168,7 +171,7 @@ class Reader {
   }
 
   /** A body of a file, if the address names one that is open. */
-  file(key: string): BodyFile | undefined {
+  file(key: string): object | undefined {
     const name = this.take(key);
     const file = name === undefined ? undefined : fileNamed(name);
     if (name !== undefined && file === undefined) this.problems.push(`${key}: open “${brief(name)}” again`);

@@ -2,11 +2,11 @@
 import { numberOf, requireMotion, requireSpeed, unitsOf } from '../core/local';
 import { CoreError, type Encounter, type Motion } from '../core/protocol';
 import { displayed, significant } from '../drawing/numbers';
-import { withoutFiles } from './document';
+import { ball, encounterOf, meetingOf, unitBody } from './document';
 import {
   type Field, type PlacedField, fieldsOf, ofSecond, owner, placedFieldsOf, valueOf, withValue, wordsOf,
 } from './fields';
-import { type Impact, type Inputs, ball, defaults, isOblique, motionOf, unitBody } from './inputs';
+import { type Impact, type Inputs, defaults, isOblique, motionOf } from './inputs';
 import { type BodyField, sizeOf } from './kinds';
 
 /** A number, or in one line what is wrong with the text. */
@@ -49,7 +49,7 @@ export function check(inputs: Inputs, texts: ReadonlyMap<Field, string>) {
 export function problemsOf(inputs: Inputs): Map<Field, string> {
   const { encounter, problems } = repaired(inputs.encounter);
   // Of a material that is wrong, c is not known.
-  const wrong = problems.size === 0 || !encounter.si ? motionProblem({ ...inputs, encounter }) : undefined;
+  const wrong = problems.size === 0 || !meetingOf(encounter).si ? motionProblem({ ...inputs, encounter }) : undefined;
   return wrong === undefined ? problems : problems.set(...wrong);
 }
 
@@ -79,15 +79,15 @@ export function repaired(encounter: Encounter): { encounter: Encounter; problems
       continue;
     }
     if (field === undefined) problems.set('speed', line);
-    right = right.second === usual.second ? usual : { ...right, second: usual.second };
+    right = right.against === usual.against ? usual : { ...right, against: usual.against! };
   }
   return { encounter: right, problems };
 }
 
 /** The same encounter with default numbers; what it meets is an identical body. */
 function standard(encounter: Encounter): Encounter {
-  const body = encounter.si ? ball : unitBody;
-  return { ...withoutFiles(encounter), first: body, second: encounter.si ? encounter.first : unitBody };
+  const its = meetingOf(encounter);
+  return encounterOf(its, its.si ? ball : unitBody, its.si ? its.first.body : unitBody);
 }
 
 /** The line with which the core refuses what it is asked; '' if it does not. */
@@ -105,7 +105,7 @@ export function refusal(ask: () => unknown): string {
 function fieldOf(encounter: Encounter, line: string): PlacedField | undefined {
   const [, second, name] = /^(against )?(\w+)/.exec(line) ?? [];
   const own = name === 'loss' ? 'loss_time' : name;
-  const size = sizeOf(encounter.kind);
+  const size = sizeOf(meetingOf(encounter).kind);
   const aliases: Record<string, BodyField> = { transit: size, impedance: 'area', against: size };
   const field = aliases[own ?? ''] ?? (own as BodyField);
   const ratio = /^[\w ]+ ratio:/.test(line) || line.startsWith('against');

@@ -1,113 +1,170 @@
-// The document of an encounter, as the core reads it, and the numbers that it names.
-import type { Body, BodyFile, Encounter } from '../core/protocol';
+// Who meets whom: the page has the document that the core reads, of numbers or of files.
+import type { Encounter } from 'stoss';
+import { unitsOf } from '../core/local';
 import {
-  type BodyField, type Kind, type Material, blockOf, fileKind, isBlock, kindNamed, materials, parametersOf,
-  sizeOf,
+  type Block, type BodyField, type BodyKind, type Kind, type Material, blockOf, blocks, fileKind,
+  kindNamed, materialNamed, materials, parametersOf, sizeOf,
 } from './kinds';
 
-/** The body made of a material, of the same size. */
-export function madeOf({ young, poisson, density, loss_time }: Material, body: Body): Body {
-  return { ...body, young, poisson, density, loss_time };
+/** Numbers of a body or a block, in SI or in units of the first body, which are all 1. What its kind does not have is
+ *  not used. */
+export type Body = Readonly<Record<BodyField, number>>;
+
+/** A body or a block as a document has it, of whatever kind. */
+export type Participant = Readonly<Partial<Body>> & {
+  readonly kind: string;
+  readonly material?: string | Pick<Body, 'young' | 'poisson' | 'density'>;
+  readonly plane?: 'stress' | 'strain';
+  /** a body by its modes at a point, of a file that the user has opened */
+  readonly body?: object;
+};
+
+/** What a user chooses of an encounter besides its numbers. */
+export interface Choice {
+  readonly kind: BodyKind;
+  /** Whether bodies and speeds are in SI. */
+  readonly si: boolean;
+  /** of a disk in SI */
+  readonly plane: 'stress' | 'strain';
+  /** a rigid wall, the like of the first body, another of its kind, or a block by its name for a sphere */
+  readonly against: 'wall' | 'same' | 'body' | Block;
 }
 
 /** One of what meets, with what is said of it. */
 export interface Side {
+  /** that of a sphere where it is of a file, which has its curvature and its material */
   readonly kind: Kind;
+  readonly si: boolean;
   readonly body: Body;
   readonly second: boolean;
   /** the numbers that say what it is, in the order of the page */
   readonly fields: readonly BodyField[];
   /** whether it is a long cylinder */
   readonly strain: boolean;
-  /** in SI: what it is made of, whatever its loss; and with its loss */
+  /** in SI: the named material that it is of, whatever its loss; and with its loss */
   readonly solid: Material | undefined;
   readonly material: Material | undefined;
-  /** of which it is, without numbers of its own */
-  readonly file: BodyFile | undefined;
+  /** what the file of which it is holds */
+  readonly file: object | undefined;
 }
 
-/** The first body, and what it meets where that is a body or a half-space of its own. In SI some of their numbers are
- *  of a material. Without SI the first has as its units what would have a default. */
-export function sidesOf(encounter: Encounter): [Side, Side?] {
-  const { kind: name, si, plane, first, against, second: other } = encounter;
-  const side = (kind: Kind, body: Body, second: boolean): Side => {
-    const file = second ? secondFileOf(encounter) : encounter.firstFile;
-    if (file) return { kind, body, second, fields: [], strain: false, solid: undefined, material: undefined, file };
-    const fields = parametersOf(kind)
-      .filter((its) => si || second || its.otherwise === undefined || its.name === 'loss_time');
-    const used = kind.parameters.filter(({ ofMaterial }) => ofMaterial);
-    const solid = materials.find((its) =>
-      si && used.every(({ name }) => its[name as keyof Material] === body[name]));
-    const lossy = solid && Math.abs(solid.loss_time - body.loss_time) <= 1e-9 * body.loss_time;
-    return {
-      kind, body, second, fields: fields.map((its) => its.name), strain: si && kind.hasPlane && plane === 'strain',
-      solid, material: lossy ? solid : undefined, file,
-    };
+/** An encounter in the terms of the page; the second where what the first body meets has numbers of its own. */
+export interface Meeting extends Choice {
+  readonly first: Side;
+  readonly second: Side | undefined;
+}
+
+/** A body that is its own unit and loses nothing. */
+export const unitBody: Body =
+  { poisson: 0.33, young: 1, density: 1, radius: 1, length: 1, area: 1, thickness: 1, loss_time: 0 };
+
+/** What SI begins with: a ball of a bearing of 1 cm. */
+export const centimetre: Body = { ...unitBody, radius: 0.01, length: 0.01, area: 1e-4, thickness: 0.01 };
+export const ball = madeOf(materialNamed('bearing steel'), centimetre);
+
+/** The body made of a material, of the same size. */
+export function madeOf<Sizes extends Partial<Body>>({ young, poisson, density, loss_time }: Material, body: Sizes) {
+  return { ...body, young, poisson, density, loss_time };
+}
+
+/** Numbers by which a body or a block is given. In SI some of them are of a material. Without SI the first body has as
+ *  its units what would have a default. */
+function fieldsOf(kind: Kind, si: boolean, second: boolean): BodyField[] {
+  return parametersOf(kind)
+    .filter((its) => si || second || its.otherwise === undefined || its.name === 'loss_time').map(({ name }) => name);
+}
+
+/** A body or a block of these numbers; in SI of a material by its name, where they are those of one. */
+function participant(kind: Kind, body: Body, { si, plane }: Choice, second: boolean): Participant {
+  const ofMaterial = kind.parameters.filter((each) => each.ofMaterial).map(({ name }) => name);
+  const own = fieldsOf(kind, si, second).filter((name) => !(si && ofMaterial.includes(name)));
+  const { loss_time, ...sizes } = Object.fromEntries(own.map((name) => [name, body[name]]));
+  if (!si) return { kind: kind.name, ...sizes, loss_time: body.loss_time };
+  const solid = materials.find((its) => ofMaterial.every((name) => its[name as keyof Material] === body[name]));
+  const known = solid && Math.abs(solid.loss_time - body.loss_time) <= 1e-9 * body.loss_time;
+  const { young, density } = body;
+  const poisson = ofMaterial.includes('poisson') ? body.poisson : 0.3; // a rod does without
+  return {
+    kind: kind.name, ...sizes, material: solid?.name ?? { young, poisson, density },
+    ...(known ? {} : { loss_time: body.loss_time }), ...(kind.hasPlane && { plane }),
   };
-  const one = side(kindNamed(name), first, false);
-  if (!hasSecond(against)) return [one];
-  return [one, side(against === 'body' ? one.kind : (blockOf(name, against) ?? kindNamed(against)), other, true)];
 }
 
-/** Whether what the first body meets has numbers of its own. */
-export function hasSecond(against: Encounter['against']): boolean {
-  return against === 'body' || isBlock(against);
+/** The encounter of what was chosen and of these numbers; what such a body cannot meet becomes the wall. */
+export function encounterOf(choice: Choice, first: Body, second: Body = unitBody): Encounter {
+  const { kind, against } = choice;
+  const other = against === 'body' ? kindNamed(kind) : blockOf(kind, against);
+  return {
+    first: participant(kindNamed(kind), first, choice, false),
+    against: other ? participant(other, second, choice, true) : against === 'same' ? 'same' : 'wall',
+  } as Encounter;
 }
 
-/** The file of what is met, if it is of one. */
-export function secondFileOf({ against, secondFile }: Encounter): BodyFile | undefined {
-  return against === 'body' ? secondFile : undefined;
+/** The same encounter with other numbers of one side, or with something else to meet. */
+export function withBody(encounter: Encounter, second: boolean, body: Body, choice: Choice = meetingOf(encounter)): Encounter {
+  const changed = encounterOf(choice, body, body);
+  return second ? { ...encounter, against: changed.against! } : { ...encounter, first: changed.first };
+}
+
+/** The document of a body of a file. */
+export const ofFile = (file: object): Participant => ({ kind: fileKind.name, body: file });
+
+/** A sphere of the curvature and the material of a body of a file, for what asks for numbers. */
+function standIn(file: object): Body {
+  const { speed, time } = unitsOf({ first: ofFile(file), against: 'wall' } as Encounter);
+  const { young, poisson, density, loss_time = 0 } = file as Body;
+  return { ...unitBody, young, poisson, density, loss_time, radius: speed * time };
+}
+
+function sideOf(given: Participant, si: boolean, second: boolean): Side {
+  const { kind: name, material, plane, body: file, ...own } = given;
+  const kind = kindNamed(file ? 'sphere' : name);
+  const fields = file ? [] : fieldsOf(kind, si, second);
+  const solid = typeof material === 'string' ? materialNamed(material) : undefined;
+  const body = file ? standIn(file) : { ...(si ? centimetre : unitBody), ...(solid ? madeOf(solid, {}) : material as Body), ...own };
+  const its = own.loss_time === undefined ? solid : undefined;
+  return { kind, si, body, second, fields, strain: plane === 'strain', solid, material: its, file };
+}
+
+const meetings = new WeakMap<Encounter, Meeting>();
+
+/** What a document of the page says. */
+export function meetingOf(encounter: Encounter): Meeting {
+  const known = meetings.get(encounter);
+  if (known) return known;
+  const [one, other] = [encounter.first, encounter.against] as [Participant, Participant | 'wall' | 'same'];
+  const si = one.material !== undefined || one.body !== undefined;
+  const first = sideOf(one, si, false);
+  const second = typeof other === 'string' ? undefined : sideOf(other, si, true);
+  const kind = first.kind.name as BodyKind;
+  const against = typeof other === 'string' ? other
+    : second!.kind.bounded ? 'body' : blocks.find((name) => blockOf(kind, name) === second!.kind)!;
+  const meeting: Meeting = { kind, si, plane: one.plane ?? 'stress', against, first, second };
+  meetings.set(encounter, meeting);
+  return meeting;
 }
 
 /** Whether one of both is of a file: such a body has no inside, and no friction. */
 export function hasFile(encounter: Encounter): boolean {
-  return (encounter.firstFile ?? secondFileOf(encounter)) !== undefined;
-}
-
-/** The same, with the spheres that stand in for the bodies of files. */
-export function withoutFiles({ firstFile: _, secondFile: __, ...rest }: Encounter): Encounter {
-  return rest;
+  const { first, second } = meetingOf(encounter);
+  return (first.file ?? second?.file) !== undefined;
 }
 
 /** Whether what the first body meets is another, which moves and turns too. */
-export function meetsBody({ against }: Encounter): boolean {
-  return against === 'same' || against === 'body';
+export function meetsBody(encounter: Encounter): boolean {
+  return ['same', 'body'].includes(meetingOf(encounter).against);
 }
 
 /** Sizes of what meets, in that of the first: 1 of a half-space too, and none of a wall. */
-export function sizesOf({ kind, si, first, against, second }: Encounter): number[] {
+export function sizesOf(encounter: Encounter): number[] {
+  const { kind, si, against, first, second } = meetingOf(encounter);
   const size = sizeOf(kind);
-  const ratio = against === 'body' ? second[size] / (si ? first[size] : 1) : 1;
+  const ratio = against === 'body' ? second!.body[size] / (si ? first.body[size] : 1) : 1;
   return against === 'wall' ? [1] : [1, ratio];
 }
 
-/** Poisson's ratio of a solid; of a rod, which does without, any. */
-export function poissonOf({ kind, body }: Side): number {
-  return kind.parameters.some(({ name }) => name === 'poisson') ? body.poisson : 0.3;
-}
-
-function participant(side: Side, { si, plane }: Encounter): Record<string, unknown> {
-  const { kind, body, fields, solid, material, file } = side;
-  if (file) return { kind: fileKind.name, body: file.document };
-  const made: Record<string, unknown> = { kind: kind.name };
-  for (const name of fields) made[name] = body[name];
-  if (!si) return made;
-  const { young, density } = body;
-  for (const { name, ofMaterial } of kind.parameters) if (ofMaterial) delete made[name];
-  if (material) delete made.loss_time; // the core knows it, and how it depends on the speed
-  made.material = solid?.name ?? { young, poisson: poissonOf(side), density };
-  if (kind.hasPlane) made.plane = plane;
-  return made;
-}
-
-/** Who meets whom, for the core. */
-export function documentOf(encounter: Encounter): string {
-  const [first, second] = sidesOf(encounter);
-  return JSON.stringify({
-    first: participant(first, encounter),
-    against: second ? participant(second, encounter) : encounter.against,
-  });
-}
+/** The text of a document. */
+export const documentOf = (encounter: Encounter): string => JSON.stringify(encounter);
 
 /** Whether two encounters give the same results: what is not used does not count. */
 export function equal(a: Encounter, b: Encounter): boolean {

@@ -1,7 +1,7 @@
 // The numbers a user types: which of them an encounter has, what they are called, and in what unit.
 import type { Encounter, Motion } from '../core/protocol';
 import { unitInWords } from '../drawing/numbers';
-import { meetsBody, sidesOf } from './document';
+import { meetingOf, meetsBody, withBody } from './document';
 import { type Impact, isOblique, takesFriction } from './inputs';
 import { type BodyField, blockOf, kindNamed } from './kinds';
 
@@ -25,8 +25,8 @@ export const motions: Record<
 
 /** The fields of bodies that count in an encounter, in the order of the page. */
 export function placedFieldsOf(encounter: Encounter): PlacedField[] {
-  return sidesOf(encounter).flatMap((side) =>
-    side!.fields.map((name): PlacedField => (side!.second ? ofSecond(name) : name)));
+  const { first, second } = meetingOf(encounter);
+  return [...first.fields, ...(second?.fields.map(ofSecond) ?? [])];
 }
 
 /** Those of how they meet: some take no friction, and without it the rest does not count. */
@@ -56,14 +56,16 @@ export function owner(field: Field): { second: boolean; name: BodyField } | unde
 /** The number of a field in the inputs. */
 export function valueOf(inputs: Impact, field: Field): number {
   const place = owner(field);
-  return place ? inputs.encounter[place.second ? 'second' : 'first'][place.name] : inputs[field as keyof Motion];
+  if (!place) return inputs[field as keyof Motion];
+  const { first, second } = meetingOf(inputs.encounter);
+  return (place.second ? second! : first).body[place.name];
 }
 
 /** The encounter with another number in one field of a body. */
 export function withValue(encounter: Encounter, field: PlacedField, value: number): Encounter {
   const { second, name } = owner(field)!;
-  const side = second ? 'second' : 'first';
-  return { ...encounter, [side]: { ...encounter[side], [name]: value } };
+  const its = meetingOf(encounter);
+  return withBody(encounter, second, { ...(second ? its.second! : its.first).body, [name]: value });
 }
 
 /** What the page calls a number of a body: in words, by a symbol, and in the address. */
@@ -84,7 +86,8 @@ interface Words {
   readonly unit: string;
 }
 
-export function wordsOf({ kind, si, against }: Encounter, field: Field): Words {
+export function wordsOf(encounter: Encounter, field: Field): Words {
+  const { kind, si, against } = meetingOf(encounter);
   const place = owner(field);
   if (place === undefined) {
     const [words, sign, , own, real, help] = motions[field as keyof Motion];

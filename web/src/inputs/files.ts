@@ -1,50 +1,47 @@
 // Bodies that a user has from a file: any body by its modes at a point. The address can only name them.
-import { requireDocument, unitsOf } from '../core/local';
-import { type Body, type BodyFile, CoreError, type Encounter } from '../core/protocol';
-import { documentOf } from './document';
-import { defaults, type Inputs, unitBody, withKind } from './inputs';
+import { requireDocument } from '../core/local';
+import { CoreError, type Encounter } from '../core/protocol';
+import { documentOf, meetingOf, ofFile } from './document';
+import { type Inputs, withKind } from './inputs';
 import { withSi } from './units';
 
-const loaded = new Map<string, BodyFile>();
+const loaded = new Map<string, object>();
+const names = new WeakMap<object, string>();
 
 /** The body of a file that was opened on this page. */
-export function fileNamed(name: string): BodyFile | undefined {
+export function fileNamed(name: string): object | undefined {
   return loaded.get(name);
 }
 
+/** The name of such a file, and of its body. */
+export function nameOf(file: object): string {
+  return names.get(file)!;
+}
+
+export function titleOf(file: object): string {
+  const { name } = file as { name?: unknown };
+  return typeof name === 'string' ? name : nameOf(file);
+}
+
 /** The body in a file. Throws CoreError with one line for what is none. */
-export function openFile(name: string, text: string): BodyFile {
-  let document: unknown;
+export function openFile(name: string, text: string): object {
+  let body: object;
   try {
-    document = JSON.parse(text);
+    body = JSON.parse(text) as object;
   } catch (error) {
     throw new CoreError(`${name}: got no JSON document, allowed one (${(error as Error).message})`);
   }
-  const title = (document as { name?: unknown } | null)?.name;
-  // The name stands in links and in command lines.
-  const file: BodyFile = {
-    name: name.replace(/[^\w.-]+/g, '_'), title: typeof title === 'string' ? title : name, document,
-  };
-  requireDocument(documentOf(alone(file)).replace(JSON.stringify(document), () => text));
-  loaded.set(file.name, file);
-  return file;
-}
-
-const alone = (file: BodyFile): Encounter =>
-  ({ ...defaults.encounter, kind: 'sphere', si: true, first: unitBody, firstFile: file });
-
-/** A sphere of the curvature and the material of the body, for what asks for numbers. */
-export function standIn(file: BodyFile): Body {
-  const { speed, time } = unitsOf(alone(file));
-  const { young, poisson, density, loss_time = 0 } = file.document as Record<string, number>;
-  return { ...unitBody, young: young!, poisson: poisson!, density: density!, loss_time, radius: speed * time };
+  const alone = documentOf({ first: ofFile(body), against: 'wall' } as Encounter);
+  requireDocument(alone.replace(JSON.stringify(body), () => text));
+  const short = name.replace(/[^\w.-]+/g, '_'); // which stands in links and in command lines
+  loaded.set(short, body);
+  names.set(body, short);
+  return body;
 }
 
 /** A body of a file as the first, or as what it meets. */
-export function withFile(inputs: Inputs, second: boolean, file: BodyFile): Inputs {
+export function withFile(inputs: Inputs, second: boolean, file: object): Inputs {
   const { encounter, ...how } = withSi(inputs);
-  const ball = encounter.kind === 'sphere' ? encounter : withKind(encounter, 'sphere');
-  const changed: Encounter = second ? { ...ball, against: 'body', second: standIn(file), secondFile: file }
-    : { ...ball, first: standIn(file), firstFile: file };
-  return { ...how, encounter: changed };
+  const sphere = meetingOf(encounter).kind === 'sphere' ? encounter : withKind(encounter, 'sphere');
+  return { ...how, encounter: { ...sphere, [second ? 'against' : 'first']: ofFile(file) } };
 }

@@ -1,7 +1,9 @@
 // What the user has chosen, as one value that is never changed in place; and examples, each with all of it.
-import type { Body, Encounter, Motion } from '../core/protocol';
-import { equal, hasFile, hasSecond, madeOf, meetsBody, withoutFiles } from './document';
-import { type BodyKind, blockOf, isBlock, kindNamed, materialNamed, sizeOf } from './kinds';
+import type { Encounter, Motion } from '../core/protocol';
+import {
+  type Body, type Choice, type Side, centimetre, encounterOf, equal, hasFile, madeOf, meetingOf, meetsBody, unitBody, withBody,
+} from './document';
+import { type BodyKind, kindNamed, materialNamed, sizeOf } from './kinds';
 
 /** Who meets whom, and how. */
 export interface Impact extends Motion {
@@ -15,24 +17,18 @@ export interface Inputs extends Impact {
   readonly simple: boolean;
 }
 
-/** A body that is its own unit and loses nothing. */
-export const unitBody: Body =
-  { poisson: 0.33, young: 1, density: 1, radius: 1, length: 1, area: 1, thickness: 1, loss_time: 0 };
-
 /** What is along the surface at first: nothing that counts. */
 const smooth = { friction: 0, angle: 45, spin: 0, spin2: 0 };
 
 export const defaults: Inputs = {
-  encounter: { kind: 'disk', first: unitBody, against: 'wall', second: unitBody, si: false, plane: 'stress' },
+  encounter: encounterOf({ kind: 'disk', si: false, plane: 'stress', against: 'wall' }, unitBody),
   speed: 0.1,
   ...smooth,
   kept: [],
   simple: false,
 };
 
-/** What SI begins with: a ball of a bearing of 1 cm, slow enough not to yield at a rigid wall (from 0.13 m/s). */
-const centimetre = { radius: 0.01, length: 0.01, area: 1e-4, thickness: 0.01 };
-export const ball = madeOf(materialNamed('bearing steel'), { ...unitBody, ...centimetre });
+/** The speed with which SI begins: a ball of steel does not yield at a rigid wall (from 0.13 m/s). */
 export const siSpeed = 0.1;
 
 /** More curves than these cannot be told apart: there are as many colours, and one is for the current one. */
@@ -40,31 +36,26 @@ export const mostKept = 5;
 
 /** Another kind of body of the same material and size; what only the old kind can meet becomes the wall. */
 export function withKind(encounter: Encounter, kind: BodyKind): Encounter {
-  const [old, size] = [sizeOf(encounter.kind), sizeOf(kind)];
+  const { first, second, ...choice } = meetingOf(encounter);
+  const { hasPlane, parameters } = kindNamed(kind);
+  const most = parameters.find(({ name }) => name === 'poisson')?.most ?? 1;
   // A disk without a material may have a 2-D Poisson's ratio that no solid has.
-  const made = (body: Body): Body => ({
-    ...body, [size]: body[old], poisson: kind === 'sphere' && body.poisson > 0.4999 ? 0.33 : body.poisson,
+  const made = ({ body }: Side): Body => ({
+    ...body, [sizeOf(kind)]: body[sizeOf(choice.kind)],
+    poisson: body.poisson > most ? unitBody.poisson : body.poisson,
   });
-  const { plane, against, first, second } = encounter;
-  return {
-    ...withoutFiles(encounter),
-    kind,
-    plane: kindNamed(kind).hasPlane ? plane : 'stress',
-    first: made(first),
-    against: isBlock(against) && !blockOf(kind, against) ? 'wall' : against,
-    second: made(second),
-  };
+  return encounterOf({ ...choice, kind, plane: hasPlane ? choice.plane : 'stress' }, made(first), second && made(second));
 }
 
 /** Something else to meet; a second body starts as the first's like. */
-export function withAgainst(encounter: Encounter, against: Encounter['against']): Encounter {
-  const { secondFile: _, ...rest } = encounter;
-  return { ...rest, against, second: hasSecond(encounter.against) ? encounter.second : encounter.first };
+export function withAgainst(encounter: Encounter, against: Choice['against']): Encounter {
+  const { first, second, ...choice } = meetingOf(encounter);
+  return withBody(encounter, true, (second ?? first).body, { ...choice, against });
 }
 
 /** Whether its surface moves along another: not that of rods, nor of bodies of which only a point is known. */
 export function takesFriction(encounter: Encounter): boolean {
-  return sizeOf(encounter.kind) === 'radius' && !hasFile(encounter);
+  return sizeOf(meetingOf(encounter).kind) === 'radius' && !hasFile(encounter);
 }
 
 /** Whether friction counts. */
@@ -91,9 +82,8 @@ export interface Preset extends Impact {
 
 /** A ball that falls on a block: radius in m, speed in m/s. */
 function drop(name: string, material: string, radius: number, block: string, speed: number): Preset {
-  const made = (of: string): Body => madeOf(materialNamed(of), { ...unitBody, ...centimetre, radius });
-  const encounter: Encounter =
-    { kind: 'sphere', first: made(material), against: 'half-space', second: made(block), si: true, plane: 'stress' };
+  const [first, second] = [material, block].map((each) => madeOf(materialNamed(each), { ...centimetre, radius })) as [Body, Body];
+  const encounter = encounterOf({ kind: 'sphere', si: true, plane: 'stress', against: 'half-space' }, first, second);
   return { name, encounter, speed, ...smooth };
 }
 

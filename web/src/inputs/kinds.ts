@@ -20,6 +20,8 @@ export interface Parameter {
   readonly ofMaterial: boolean;
   /** without a material, where it is not given */
   readonly otherwise?: number;
+  /** which it may be, where the core limits it */
+  readonly most?: number;
   readonly help: string;
 }
 

@@ -2,8 +2,9 @@
 import { unitsOf } from '../core/local';
 import type { CurvePoint, Encounter, Motion } from '../core/protocol';
 import { prefixFor, shortest, significant } from '../drawing/numbers';
-import { type Side, poissonOf, sidesOf } from './document';
+import { type Side, meetingOf } from './document';
 import { names } from './fields';
+import { nameOf, titleOf } from './files';
 import { type Inputs, motionOf } from './inputs';
 import { lengthOf } from './kinds';
 
@@ -17,15 +18,14 @@ const usualTolerance = 1e-3;
 
 /** Who meets whom, in one line: disk ν 0.33; steel sphere 10 mm at a glass half-space. */
 export function description(encounter: Encounter): string {
-  const { against, si } = encounter;
-  const [first, second] = sidesOf(encounter);
-  const words = inWords(first, si, si);
-  if (second) return `${words} at ${inWords(second, si, true)}`;
+  const { against, si, first, second } = meetingOf(encounter);
+  const words = inWords(first, si);
+  if (second) return `${words} at ${inWords(second, true)}`;
   return against === 'wall' ? words : `${words} at an identical one`;
 }
 
-function inWords({ kind, body, second, fields, material, strain, file }: Side, si: boolean, sized: boolean): string {
-  if (file) return `“${file.title}”`;
+function inWords({ kind, si, body, second, fields, material, strain, file }: Side, sized: boolean): string {
+  if (file) return `“${titleOf(file)}”`;
   const size = sized ? lengthOf(kind) : undefined;
   return [
     ...(material ? [`${material.name} ${kind.name}`] : [kind.name]),
@@ -42,98 +42,93 @@ function withPrefix(value: number, unit: string): string {
   return `${significant(value / prefix.size, 3)} ${prefix.unit}`.trim();
 }
 
-/** The numbers of a body by the keys of the command. */
-function pairsOf({ kind, body, fields, solid, file }: Side): [string, string][] {
-  if (file) return [];
-  const pairs: [string, number | undefined][] = [
-    ...fields.filter((name) => name !== 'loss_time').map((name): [string, number] => [name, body[name]]),
-    ['yield', kind.canYield ? solid?.yield_strength : undefined],
-    ['loss_time', body.loss_time || undefined],
-  ];
-  return pairs.flatMap(([key, value]) => (value === undefined ? [] : [[key, shortest(value)]]));
+/** Numbers of a side by their names, of what it is made apart from all others; none of a named material. */
+function numbersOf({ si, kind, body, fields, solid, material }: Side): Record<'made' | 'other', [string, string][]> {
+  const made = kind.parameters.filter(({ ofMaterial }) => ofMaterial).map(({ name }) => name);
+  const given = fields.filter((name) =>
+    (name === 'loss_time' ? !material && (si || body[name] !== 0) : !solid || !made.includes(name)));
+  const pairs = (wanted: boolean): [string, string][] =>
+    given.filter((name) => made.includes(name) === wanted).map((name) => [name, shortest(body[name])]);
+  return { made: pairs(true), other: pairs(false) };
 }
 
-/** Arguments that say who meets whom, as `stoss restitution` and `stoss table` take them. */
+/** What a side is by the keys of the command. */
+function pairsOf(side: Side): [string, string][] {
+  const { made, other } = numbersOf(side);
+  return [...(side.solid ? [['material', side.solid.name] as [string, string]] : made), ...other];
+}
+
+/** Arguments that say who meets whom, as `stoss restitution`, `stoss table` and `stoss predict` take them. */
 export function encounterArguments(encounter: Encounter): string[] {
-  const { kind, against } = encounter;
-  const [first, second] = sidesOf(encounter);
-  const other = second?.file ? `@${second.file.name}`
+  const { kind, against, first, second } = meetingOf(encounter);
+  const other = second?.file ? `@${nameOf(second.file)}`
     : second ? [second.kind.name, ...pairsOf(second).map((pair) => pair.join('='))].join(',') : against;
   return [
-    ...(kind === 'disk' ? [] : ['--body', first.file ? `@${first.file.name}` : kind]),
+    '--body', first.file ? `@${nameOf(first.file)}` : kind,
     ...pairsOf(first).flatMap(([key, value]) => [`--${key.replace('_', '-')}`, value]),
     ...(first.strain ? ['--plane', 'strain'] : []),
     ...(other === 'wall' ? [] : ['--against', other]),
   ];
 }
 
-/** The command line of ε at some speeds, a,b,c, to be pasted into a shell. */
-export function commandLine(encounter: Encounter, ...speeds: number[]): string {
-  const list = speeds.map(shortest).join(',');
-  return ['stoss', 'restitution', ...encounterArguments(encounter), '--speed', list].join(' ');
+/** Arguments of `stoss` for ε, or for a prediction, at some speeds. */
+export function argumentsOf(encounter: Encounter, speeds: readonly number[], command = 'restitution'): string[] {
+  return [command, ...encounterArguments(encounter), '--speed', speeds.map(shortest).join(',')];
 }
 
-/** The command line of the collision rule of inputs; of ε where there is no friction. */
-export function ruleLine(inputs: Inputs): string {
+/** Arguments of the command as a line to be pasted into a shell. */
+export function commandLine(args: readonly string[]): string {
+  return ['stoss', ...args].map((each) => (/\s/.test(each) ? `'${each}'` : each)).join(' ');
+}
+
+/** Arguments of the collision rule of inputs; of ε where there is no friction. */
+export function ruleArguments(inputs: Inputs): string[] {
   const motion = motionOf(inputs);
-  if (motion.friction === 0) return commandLine(inputs.encounter, inputs.speed);
-  const args = numbersOf(motion).map(([name, value]) => `--${name.replace('_', '-')} ${value}`);
-  return ['stoss', 'oblique', ...encounterArguments(inputs.encounter), ...args].join(' ');
+  if (motion.friction === 0) return argumentsOf(inputs.encounter, [inputs.speed]);
+  const numbers = wordsOfMotion(motion).flatMap(([name, value]) => [`--${name.replace('_', '-')}`, value]);
+  return ['oblique', ...encounterArguments(inputs.encounter), ...numbers];
 }
 
-/** The numbers of a motion with friction, by the words of the command and of Python. */
-function numbersOf({ speed, angle, friction, spin, spin2 }: Motion): [string, string][] {
-  const all: [string, number][] = [['speed', speed], ['angle', angle], ['friction', friction]];
-  if (spin !== 0) all.push(['spin', spin]);
-  if (spin2 !== 0) all.push(['second_spin', spin2]);
-  return all.map(([name, value]) => [name, shortest(value)]);
+/** The numbers of a motion, those along the surface only with friction, by the words of the command and of Python. */
+function wordsOfMotion({ speed, angle, friction, spin, spin2 }: Motion): [string, string][] {
+  const along = friction === 0 ? {} : { angle, friction, ...(spin && { spin }), ...(spin2 && { second_spin: spin2 }) };
+  return Object.entries({ speed, ...along }).map(([name, value]) => [name, shortest(value)]);
 }
 
 /** A short program in Python that prints ε at one speed, or with friction the collision rule. */
 export function pythonLines(inputs: Inputs): string {
-  const { encounter, speed } = inputs;
   const motion = motionOf(inputs);
-  const rule = motion.friction === 0 ? 'restitution' : 'oblique';
-  const { against, si } = encounter;
-  const [first, second] = sidesOf(encounter);
-  const kind = first.file ? 'body' : encounter.kind;
-  const name = second?.kind.bounded ? 'other' : 'block';
+  const { kind, against, first, second } = meetingOf(inputs.encounter);
+  const one = first.file ? 'body' : kind;
+  const other = second?.kind.bounded ? 'other' : 'block';
   const args = [
-    kind,
-    ...(second ? [`against=${name}`] : against === 'same' ? ['against="same"'] : []),
-    ...(motion.friction === 0 ? [`speed=${shortest(speed)}`]
-      : numbersOf(motion).map((pair) => pair.join('='))),
+    one, ...(second ? [`against=${other}`] : against === 'same' ? ['against="same"'] : []),
+    ...wordsOfMotion(motion).map((pair) => pair.join('=')),
   ];
   return [
-    'import stoss', '', `${kind} = ${call(first, si)}`, ...(second ? [`${name} = ${call(second, si)}`] : []),
-    `print(stoss.${rule}(${args.join(', ')}))`, '',
+    'import stoss', '', `${one} = ${call(first)}`, ...(second ? [`${other} = ${call(second)}`] : []),
+    `print(stoss.${motion.friction === 0 ? 'restitution' : 'oblique'}(${args.join(', ')}))`, '',
   ].join('\n');
 }
 
-function call(side: Side, si: boolean): string {
-  const { kind, body, fields, material, strain, file } = side;
-  if (file) return `stoss.ModalBody.read("${file.name}")`;
-  const args = kind.parameters // in the order of Python
-    .filter(({ name, ofMaterial }) => fields.includes(name) && name !== 'loss_time' && !(si && ofMaterial))
-    .map(({ name }) => `${name}=${shortest(body[name])}`);
-  if (si) args.push(`material=${material ? `stoss.materials["${material.name}"]` : ownMaterial(side)}`);
-  if ((material?.loss_time ?? 0) !== body.loss_time) args.push(`loss_time=${shortest(body.loss_time)}`);
-  if (strain) args.push('plane="strain"');
+function call(side: Side): string {
+  const { si, kind, body: { young, poisson, density }, solid, strain, file } = side;
+  if (file) return `stoss.ModalBody.read("${nameOf(file)}")`;
+  const { made, other } = numbersOf(side);
+  const args = (pairs: [string, string | number][]): string[] => pairs.map((pair) => pair.join('='));
+  const own = args(Object.entries({ young, poisson, density }).map(([name, value]) => [name, shortest(value)]));
+  const material = solid ? `stoss.materials["${solid.name}"]` : `stoss.Material(${own.join(', ')})`;
   const name = kind.name.replace(/(^|-)(\w)/g, (_, __, letter: string) => letter.toUpperCase());
-  return `stoss.${name}(${args.join(', ')})`;
-}
-
-function ownMaterial(side: Side): string {
-  const { young, density } = side.body;
-  const numbers = { young, poisson: poissonOf(side), density };
-  return `stoss.Material(${Object.entries(numbers).map(([name, value]) => `${name}=${shortest(value)}`).join(', ')})`;
+  const all = [...args(si ? other : [...made, ...other]), ...(si ? [`material=${material}`] : []),
+    ...(strain ? ['plane="strain"'] : [])];
+  return `stoss.${name}(${all.join(', ')})`;
 }
 
 /** A curve as CSV, as `stoss restitution --format csv` writes it, of the columns that the page knows: comments that say
  *  what it is, one line of columns, one row for each speed, slowest first. */
 export function curveCsv(encounter: Encounter, points: readonly CurvePoint[]): string {
   const sorted = [...points].sort((a, b) => a.speed - b.speed);
-  const { kind, si } = encounter;
+  const { kind, si } = meetingOf(encounter);
   const { speed: c, first: { poisson } } = unitsOf(encounter);
   const columns: [string, (point: CurvePoint) => string][] = [
     ['speed[c]', ({ speed }) => shortest(speed / c)],
@@ -145,7 +140,7 @@ export function curveCsv(encounter: Encounter, points: readonly CurvePoint[]): s
   if (poisson !== undefined) columns.unshift(['poisson', () => shortest(poisson)]);
   return [
     `# stoss ${version}: restitution`,
-    `# command: ${commandLine(encounter, ...sorted.map(({ speed }) => speed))} --format csv`,
+    `# command: ${commandLine(argumentsOf(encounter, sorted.map(({ speed }) => speed)))} --format csv`,
     `# body: ${kind}`,
     `# tolerance: ${shortest(usualTolerance)}`,
     columns.map(([name]) => name).join(','),

@@ -2,10 +2,10 @@
 // up to where linear elasticity loses its meaning.
 import { scaleLog } from 'd3-scale';
 import { seriesOf, unitsOf } from '../core/local';
-import type { Body, Elastic, Encounter } from '../core/protocol';
+import type { Elastic, Encounter } from '../core/protocol';
 import { rounded, shortest } from '../drawing/numbers';
-import { withoutFiles } from './document';
-import { type Inputs, ball, siSpeed } from './inputs';
+import { type Body, type Choice, ball, encounterOf, meetingOf } from './document';
+import { type Inputs, siSpeed } from './inputs';
 import { type BodyField, blockOf, isBlock, lengthOf, sizeOf } from './kinds';
 
 /** c of the first body: 1 without SI, else m/s. */
@@ -21,22 +21,20 @@ function changed(body: Body, change: (value: number, name: BodyField) => number)
 
 /** The same impact in units of the first body: ε stays what it is. */
 export function withoutSi(inputs: Inputs): Inputs {
-  if (!inputs.encounter.si) return inputs;
-  const encounter = withoutFiles(inputs.encounter);
-  const { kind, first, second, against } = encounter;
-  const units = unitsOf(encounter);
-  const block = blockOf(kind, against);
+  const { first, second, ...choice } = meetingOf(inputs.encounter);
+  if (!choice.si) return inputs;
+  // Those of the spheres that stand in for files.
+  const units = unitsOf(encounterOf(choice, first.body, second?.body));
+  const block = blockOf(choice.kind, choice.against);
   const thickness = block && lengthOf(block);
   const ratios = (body: Body, { young, poisson = body.poisson }: Elastic): Body => {
     const own: Partial<Body> = { young, poisson, loss_time: body.loss_time / units.time };
-    return changed(body, (value, name) => own[name] ?? value / first[name === thickness ? sizeOf(kind) : name]);
+    return changed(body, (value, name) => own[name] ?? value / first.body[name === thickness ? sizeOf(choice.kind) : name]);
   };
   return {
     ...inputs,
-    encounter: {
-      ...encounter, si: false, plane: 'stress', first: ratios(first, units.first),
-      second: ratios(second, units.second ?? units.first),
-    },
+    encounter: encounterOf({ ...choice, si: false, plane: 'stress' }, ratios(first.body, units.first),
+      second && ratios(second.body, units.second!)),
     speed: rounded(inputs.speed / units.speed, 6),
     spin: rounded(inputs.spin * units.time, 6),
     spin2: rounded(inputs.spin2 * units.time, 6),
@@ -45,17 +43,18 @@ export function withoutSi(inputs: Inputs): Inputs {
 
 /** Such bodies in SI: the first becomes the ball of a bearing, and a second one keeps its ratios to the first. */
 export function withSi(inputs: Inputs): Inputs {
-  const { encounter } = inputs;
-  if (encounter.si) return inputs;
+  const { first: _, second, ...choice } = meetingOf(inputs.encounter);
+  if (choice.si) return inputs;
+  const si: Choice = { ...choice, si: true, plane: 'stress' };
   const { poisson, loss_time } = ball;
-  const inSi: Encounter = { ...encounter, si: true, plane: 'stress', first: ball };
-  const { time } = unitsOf({ ...inSi, against: 'wall' });
-  const { second } = encounter;
-  const loss = second.young === 1 && second.density === 1 ? { poisson, loss_time }
-    : { poisson: Math.min(second.poisson, poisson), loss_time: rounded(second.loss_time * time, 6) };
-  const values = { ...changed(second, (value, name) => value * ball[name]), ...loss };
+  const { time } = unitsOf(encounterOf({ ...si, against: 'wall' }, ball));
+  const inSi = (body: Body): Body => ({
+    ...changed(body, (value, name) => value * ball[name]),
+    ...(body.young === 1 && body.density === 1 ? { poisson, loss_time }
+      : { poisson: Math.min(body.poisson, poisson), loss_time: rounded(body.loss_time * time, 6) }),
+  });
   const [spin, spin2] = [inputs.spin, inputs.spin2].map((each) => rounded(each / time, 6)) as [number, number];
-  return { ...inputs, encounter: { ...inSi, second: values }, speed: siSpeed, spin, spin2 };
+  return { ...inputs, encounter: encounterOf(si, ball, second && inSi(second.body)), speed: siSpeed, spin, spin2 };
 }
 
 /** In c of the first body. */
@@ -66,11 +65,12 @@ export const slowest = 1e-6;
 export function fastest(encounter: Encounter): number {
   const half = 0.5;
   const { first, second } = unitsOf(encounter);
-  if (!isBlock(encounter.against) || !second) return half;
-  const sphere = encounter.kind === 'sphere';
+  const { kind, si, against, ...its } = meetingOf(encounter);
+  if (!isBlock(against) || !second) return half;
+  const sphere = kind === 'sphere';
   const stiff = ({ young, poisson = 0 }: Elastic): number => young / (sphere ? 1 - poisson ** 2 : 1);
   const share = stiff(first) / (stiff(first) + stiff(second));
-  const slower = Math.sqrt(encounter.second.density / (encounter.si ? encounter.first.density : 1) / second.young);
+  const slower = Math.sqrt(its.second!.body.density / (si ? its.first.body.density : 1) / second.young);
   return half / Math.max(1, share * slower);
 }
 
@@ -120,5 +120,5 @@ export function coarseFirst(values: readonly number[]): number[] {
 
 /** A speed of one encounter on the axis of another: as it is if both are in SI or neither, else the same share of c. */
 export function onAxisOf(axis: Encounter, encounter: Encounter, speed: number): number {
-  return axis.si === encounter.si ? speed : (speed / barSpeed(encounter)) * barSpeed(axis);
+  return meetingOf(axis).si === meetingOf(encounter).si ? speed : (speed / barSpeed(encounter)) * barSpeed(axis);
 }

@@ -1,12 +1,11 @@
 // The form: it shows the inputs, and tells what the user makes of them.
 import { html, render } from 'lit-html';
-import type { Body, Encounter } from '../core/protocol';
 import { find, optionsOf } from '../drawing/dom';
 import { significant } from '../drawing/numbers';
 import { check, refusal } from '../inputs/check';
-import { madeOf, secondFileOf, sidesOf } from '../inputs/document';
+import { type Choice, encounterOf, madeOf, meetingOf, withBody } from '../inputs/document';
 import { type Field, fieldsOf } from '../inputs/fields';
-import { openFile, withFile } from '../inputs/files';
+import { openFile, titleOf, withFile } from '../inputs/files';
 import { type Inputs, presetOf, presets, withAgainst, withKind } from '../inputs/inputs';
 import { type BodyKind, blockOf, blocks, bodyKinds, fileKind, kindNamed, materials, sizeOf } from '../inputs/kinds';
 import { description } from '../inputs/lines';
@@ -44,22 +43,22 @@ export function createControls(initial: Inputs, listener: Listener) {
   function show(next: Inputs): void {
     inputs = next;
     const { encounter } = inputs;
-    const { kind, si, against } = encounter;
-    const [file, file2] = [encounter.firstFile, secondFileOf(encounter)];
+    const { kind, si, plane, against, first, second } = meetingOf(encounter);
+    const [file, file2] = [first.file, second?.file];
     choose('body', file ? '' : kind);
     for (const [id, its] of [['file', file], ['file2', file2]] as const) {
       find(id, HTMLInputElement).parentElement!.classList.toggle('chosen', its !== undefined);
     }
     find('file-problem', HTMLElement).hidden = true;
     choose('units', si ? 'SI' : 'c');
-    choose('plane', encounter.plane);
+    choose('plane', plane);
     simple.checked = inputs.simple;
     document.body.dataset.view = inputs.simple ? 'simple' : 'full';
     find('plane-row', HTMLElement).hidden = !(si && kindNamed(kind).hasPlane);
     find('material-row', HTMLElement).hidden = !si || file !== undefined;
-    find('material2-row', HTMLElement).hidden = !si || sidesOf(encounter)[1] === undefined || file2 !== undefined;
+    find('material2-row', HTMLElement).hidden = !si || second === undefined || file2 !== undefined;
     render(optionsOf([
-      ['wall', 'a rigid wall'], ['same', 'an identical body'], ['body', file2 ? `“${file2.title}”` : `another ${kind}`],
+      ['wall', 'a rigid wall'], ['same', 'an identical body'], ['body', file2 ? `“${titleOf(file2)}”` : `another ${kind}`],
       ...blocks.flatMap((name): [string, string][] => {
         const block = blockOf(kind, name);
         return block ? [[name, `an elastic ${block.name}`]] : [];
@@ -74,15 +73,14 @@ export function createControls(initial: Inputs, listener: Listener) {
   /** Show what follows from the numbers. */
   function showDerived(): void {
     const { encounter, speed } = inputs;
-    const { si, kind } = encounter;
+    const { si, kind, first, second } = meetingOf(encounter);
     preset.value = presetOf(inputs)?.name ?? own;
     find('who', HTMLElement).textContent = description(encounter);
-    const [first, second] = sidesOf(encounter);
     for (const [select, side] of [[selects.first, first], [selects.second, second]] as const) {
       select.value = side?.material?.name ?? own;
       select.title = side?.material?.source ?? '';
     }
-    const title = encounter.firstFile ? `“${encounter.firstFile.title}”, ` : '';
+    const title = first.file ? `“${titleOf(first.file)}”, ` : '';
     find('units-note', HTMLElement).textContent = si ? `${title}c = √(E/ρ) = ${significant(barSpeed(encounter), 4)} m/s`
       : `Units: ${sizeOf(kind)}, bar speed c = √(E/ρ) and mass of the first body`;
     slider.value = String(placeOf(encounter, speed));
@@ -111,24 +109,28 @@ export function createControls(initial: Inputs, listener: Listener) {
     listener.changed(inputs, settled);
   }
 
-  const withMaterial = (name: string, body: Body): Body => {
+  const withMaterial = (name: string, second: boolean): Inputs => {
     const material = materials.find((each) => each.name === name);
-    return material === undefined ? body : madeOf(material, body);
+    const side = meetingOf(inputs.encounter)[second ? 'second' : 'first']!;
+    return material === undefined ? inputs
+      : { ...inputs, encounter: withBody(inputs.encounter, second, madeOf(material, side.body)) };
   };
-  const meeting = (change: Partial<Encounter>): Inputs =>
-    ({ ...inputs, encounter: { ...inputs.encounter, ...change } });
   /** What a choice makes of the inputs, by the ids and names of index.html. */
   const choices: Record<string, (value: string) => Inputs> = {
     preset: (value) => {
       const { encounter, speed, friction, angle, spin, spin2 } = presets.find(({ name }) => name === value) ?? inputs;
       return { ...inputs, encounter, speed, friction, angle, spin, spin2 };
     },
-    against: (value) => ({ ...inputs, encounter: withAgainst(inputs.encounter, value as Encounter['against']) }),
-    material: (value) => meeting({ first: withMaterial(value, inputs.encounter.first) }),
-    material2: (value) => meeting({ second: withMaterial(value, inputs.encounter.second) }),
+    against: (value) => ({ ...inputs, encounter: withAgainst(inputs.encounter, value as Choice['against']) }),
+    material: (value) => withMaterial(value, false),
+    material2: (value) => withMaterial(value, true),
     body: (value) => ({ ...inputs, encounter: withKind(inputs.encounter, value as BodyKind) }),
     units: (value) => (value === 'SI' ? withSi(inputs) : withoutSi(inputs)),
-    plane: (value) => meeting({ plane: value as Encounter['plane'] }),
+    plane(value) {
+      const { first, second, ...choice } = meetingOf(inputs.encounter);
+      const changed = { ...choice, plane: value as Choice['plane'] };
+      return { ...inputs, encounter: encounterOf(changed, first.body, second?.body) };
+    },
   };
   async function open({ id, files }: HTMLInputElement): Promise<void> {
     const chosen = files?.[0];

@@ -5,7 +5,7 @@ import { remember, seriesOf } from '../core/local';
 import type { Core, CurvePoint, Encounter } from '../core/protocol';
 import { messageOf } from '../drawing/dom';
 import { description } from '../inputs/lines';
-import { documentOf } from '../inputs/document';
+import { documentOf, meetingOf } from '../inputs/document';
 import { curveSpeeds } from '../inputs/units';
 import { fine } from './session';
 
@@ -19,7 +19,7 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
   let wanted: readonly Encounter[] = [];
   let series = '';
 
-  const seriesFor = (encounter: Encounter): string => (wanted[0]?.si === encounter.si ? series : '');
+  const seriesFor = (encounter: Encounter): string => (wanted[0] && meetingOf(wanted[0]).si === meetingOf(encounter).si ? series : '');
   const keyOf = (encounter: Encounter): string => `${documentOf(encounter)} ${seriesFor(encounter)}`;
 
   /** The curve of an encounter as far as it is known. */

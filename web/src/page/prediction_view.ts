@@ -4,9 +4,9 @@ import { thresholdsOf } from '../core/local';
 import type { Channel, Encounter, Prediction } from '../core/protocol';
 import { find } from '../drawing/dom';
 import { bandInWords, significant, withError, withUnit, written } from '../drawing/numbers';
-import { meetsBody, sidesOf } from '../inputs/document';
+import { meetingOf, meetsBody } from '../inputs/document';
 import type { Impact } from '../inputs/inputs';
-import { predictionLine } from '../inputs/prediction_line';
+import { argumentsOf, commandLine } from '../inputs/lines';
 
 /** Where the energy goes, by the names of the core. */
 const whereTo: Record<string, string> = {
@@ -16,7 +16,7 @@ const whereTo: Record<string, string> = {
 
 /** Whether the page predicts it: a ball of a named material, without friction, that the core predicts. */
 export function isPredicted({ encounter, friction }: Pick<Impact, 'encounter' | 'friction'>): boolean {
-  return friction === 0 && sidesOf(encounter)[0].solid !== undefined && thresholdsOf(encounter) !== undefined;
+  return friction === 0 && meetingOf(encounter).first.solid !== undefined && thresholdsOf(encounter) !== undefined;
 }
 
 /** ε with as many digits as its largest uncertainty leaves, and all three of them: none holds another. */
@@ -91,7 +91,7 @@ function panelOf(encounter: Encounter, prediction: Prediction): TemplateResult {
     ${influence ? html`<p class="note">The constants are not known exactly. ε: ${influence}.</p>` : nothing}
     <ul class="warnings">${warnings.map((each) => html`<li>${each}</li>`)}</ul>
     <div class="lines"><pre tabindex="0" role="group" aria-label="Command line of the prediction"><code>${
-      predictionLine(encounter, prediction.speed)}</code></pre></div>`;
+      commandLine(argumentsOf(encounter, [prediction.speed], 'predict'))}</code></pre></div>`;
 }
 
 /** Wire the panel of index.html. */

@@ -3,6 +3,7 @@ import { html, nothing, render } from 'lit-html';
 import type { Encounter, Quantity, Restitution } from '../core/protocol';
 import { prefixFor, significant, withError } from '../drawing/numbers';
 import { find } from '../drawing/dom';
+import { meetingOf, meetsBody } from '../inputs/document';
 import { gravity } from '../scene/hops';
 
 export type Stage = 'first' | 'final';
@@ -43,8 +44,9 @@ function threeDigits({ value }: Quantity, factor = 1): string {
 
 /** How high a body bounces that falls on what rests: ε²h, from the height h = v²/2g of its drop, both in m; without SI
  *  in units of the drop. Undefined for one that meets another body, which moves too. */
-export function reboundOf({ si, against }: Encounter, speed: number, restitution: Quantity) {
-  if (against === 'same' || against === 'body') return undefined;
+export function reboundOf(encounter: Encounter, speed: number, restitution: Quantity) {
+  if (meetsBody(encounter)) return undefined;
+  const { si } = meetingOf(encounter);
   const { value, error } = restitution;
   const drop = si ? speed ** 2 / (2 * gravity) : undefined;
   const unit = drop ?? 1;
@@ -64,8 +66,8 @@ export function reboundInWords(encounter: Encounter, result: Restitution): { ful
 }
 
 /** Up to where ε is more than a bound; '' without SI. */
-export function yieldInWords({ si }: Encounter, { yieldSpeed, yieldWarning }: Restitution): string {
-  if (!si) return '';
+export function yieldInWords(encounter: Encounter, { yieldSpeed, yieldWarning }: Restitution): string {
+  if (!meetingOf(encounter).si) return '';
   if (yieldWarning !== undefined) return `${yieldWarning[0]!.toUpperCase()}${yieldWarning.slice(1)}.`;
   if (yieldSpeed === undefined) return 'Once the material yields or cracks, ε is an upper bound.';
   return `Begins to yield at ${significant(yieldSpeed, 2)} m/s: above that, ε is an upper bound.`;
@@ -127,6 +129,7 @@ export function createResults() {
   return {
     /** Show a result; of the final one screen readers are told, once it stays. */
     show(encounter: Encounter, result: Restitution, stage: Stage): void {
+      const { si } = meetingOf(encounter);
       const epsilon = result.quantities.restitution ?? { value: NaN, unit: '' };
       const { full, short } = reboundInWords(encounter, result);
       const { tangential_restitution: tangential } = result.quantities;
@@ -139,7 +142,7 @@ export function createResults() {
         'contact-time': shownQuantity(result, 'contact_time'),
         'max-force': shownQuantity(result, 'max_force'),
         'max-compression': shownQuantity(result, 'max_compression'),
-        'rebound-name': `Height of rebound ε²h${encounter.si ? ', h = v²/2g' : ''}`,
+        'rebound-name': `Height of rebound ε²h${si ? ', h = v²/2g' : ''}`,
         rebound: full,
         'rebound-short': short,
         tangential: tangential ? withError(tangential.value, tangential.error ?? 0) : '',
@@ -155,7 +158,7 @@ export function createResults() {
       const lines = flags(result);
       find('flags', HTMLElement).replaceChildren(...lines.flatMap((line) => [line, document.createElement('br')]));
       if (stage === 'first') return;
-      const speed = `${significant(result.speed, 4)} ${encounter.si ? 'metres per second' : 'c'}`;
+      const speed = `${significant(result.speed, 4)} ${si ? 'metres per second' : 'c'}`;
       timer = window.setTimeout(() => {
         spoken.textContent = [
           `Restitution ${spokenOf('epsilon')} at ${speed}.`,

@@ -5,7 +5,7 @@ import { find, messageOf } from '../drawing/dom';
 import { type Picture, download, pngOf, textOf } from '../drawing/pictures';
 import { toAddress } from '../inputs/address';
 import { type Inputs, defaults } from '../inputs/inputs';
-import { curveCsv, pythonLines, ruleLine } from '../inputs/lines';
+import { commandLine, curveCsv, pythonLines, ruleArguments } from '../inputs/lines';
 import { endsOf } from '../inputs/units';
 
 /** Maximum error of ε that the C header may have. */
@@ -73,7 +73,7 @@ export function createShare(
 
   return (next) => {
     inputs = next;
-    line.textContent = ruleLine(inputs);
+    line.textContent = commandLine(ruleArguments(inputs));
     python.textContent = pythonLines(inputs).trimEnd();
   };
 }

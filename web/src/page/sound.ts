@@ -4,6 +4,7 @@ import { unitsOf } from '../core/local';
 import type { Collision, Core, Encounter, ModeEnergy } from '../core/protocol';
 import { find, messageOf } from '../drawing/dom';
 import { significant } from '../drawing/numbers';
+import { meetingOf } from '../inputs/document';
 
 const rate = 44100;
 const seconds = 2;
@@ -16,11 +17,12 @@ const pitch = 440;
 /** Time of an impact between two samples, in units.time, and in words how much slower it is played. Undefined where
  *  nothing vibrates. */
 export function pace(encounter: Encounter, modes: readonly ModeEnergy[], frequency: number) {
+  const { si } = meetingOf(encounter);
   const lowest = Math.min(...modes.filter(({ after }) => after > 0).map(({ omega }) => omega * frequency));
   if (!Number.isFinite(lowest)) return undefined;
-  if (encounter.si && lowest <= 2 * Math.PI * highest) return { interval: 1 / rate, words: 'Played as it sounds.' };
+  if (si && lowest <= 2 * Math.PI * highest) return { interval: 1 / rate, words: 'Played as it sounds.' };
   const interval = (2 * Math.PI * pitch) / (rate * lowest);
-  const slower = encounter.si ? `${significant(1 / (rate * interval), 3)} times slower, ` : '';
+  const slower = si ? `${significant(1 / (rate * interval), 3)} times slower, ` : '';
   return { interval, words: `Played ${slower}with its lowest mode at ${pitch} Hz.` };
 }
 

@@ -1,7 +1,8 @@
 // Draws the bodies of one frame: their stress, their edges, and what a single one meets.
 
 import { interpolate } from '../drawing/numbers';
-import type { Encounter, Frame } from '../core/protocol';
+import type { Frame } from '../core/protocol';
+import type { Choice } from '../inputs/document';
 import type { Theme } from '../drawing/theme';
 import { paintMesh, type Pixels, type Shade } from './raster';
 import { edgeOf, meshOf, type Line, type Mesh, type Part } from './parts';
@@ -21,7 +22,7 @@ type Place = Pick<Layout, 'x' | 'y' | 'scale'>;
 
 /** Draws one frame. */
 export function drawBodies(
-  to: Drawing, { bodies }: Frame, parts: Part[], magnification: number, against: Encounter['against'],
+  to: Drawing, { bodies }: Frame, parts: Part[], magnification: number, against: Choice['against'],
 ): void {
   const meshes = parts.map((part, n) => meshOf(part, bodies[n]!, magnification));
   const edges = parts.map((part, n) => edgeOf(part, meshes[n]!));

@@ -5,6 +5,7 @@ import type { Core, Encounter, Motion } from '../core/protocol';
 import { messageOf } from '../drawing/dom';
 import { withUnit, written } from '../drawing/numbers';
 import type { Theme } from '../drawing/theme';
+import { meetingOf } from '../inputs/document';
 import { type Flight, type Room, bounced, flown, landing, meeting, roomOf, thrown } from './hops';
 import { drawBody, drawWay } from './oblique_film';
 import { slowness } from './phases';
@@ -130,7 +131,7 @@ export function createHops(host: HTMLElement, core: Core) {
   return async (encounter: Encounter, motion: Motion): Promise<void> => {
     asked?.abort();
     const { signal } = (asked = new AbortController());
-    const room = roomOf(encounter.first.radius, motion.speed);
+    const room = roomOf(meetingOf(encounter).first.body.radius, motion.speed);
     player.say('Computing the hops …');
     try {
       player.show(filmOf(await hop(core, encounter, motion, room, signal), room));

@@ -3,6 +3,7 @@
 
 import { range } from 'd3-array';
 import type { BodyFrame, Encounter, Grid } from '../core/protocol';
+import { meetingOf } from '../inputs/document';
 import { type BodyKind, isBlock } from '../inputs/kinds';
 import { isShownThrough } from './grid';
 
@@ -108,9 +109,10 @@ const ROD = 0.1; // half the thickness of the first rod, in its lengths
 
 /** What meets, of some sizes. @param thickness of a plate, in the radii of the grid */
 export function partsOf(
-  { kind, first, against, second }: Encounter, sizes: number[], grid: Grid, thickness = Infinity,
+  encounter: Encounter, sizes: number[], grid: Grid, thickness = Infinity,
 ): Part[] {
-  const thick = Math.min(0.4, Math.max(0.03, ROD * Math.sqrt((against === 'body' ? second : first).area / first.area)));
+  const { kind, against, first, second = first } = meetingOf(encounter);
+  const thick = Math.min(0.4, Math.max(0.03, ROD * Math.sqrt(second.body.area / (second.si ? first.body.area : 1))));
   return sizes.map((size, n) => (n === 1 && isBlock(against) ? blockPart(grid.below!, isShownThrough(thickness))
     : bodyPart(kind, size, n === 0 ? 1 : -1, n === 0 ? ROD : thick, grid)));
 }

@@ -26,7 +26,7 @@ export function drawPicture(
 ): void {
   const context = canvas.getContext('2d')!;
   const layout = layoutOf(show.view, width, density);
-  const rods = show.encounter.kind === 'rod';
+  const rods = show.meeting.kind === 'rod';
   const shown = rods ? 'vonMises' : quantity; // bands tell little of a stress that is the same across a rod
   const shade = shadeOf(shown, show.units[shown], theme.dark);
   context.setTransform(density, 0, 0, density, 0, 0);
@@ -37,7 +37,7 @@ export function drawPicture(
   context.rect(0, HEAD - 4, width, layout.height - HEAD + 4);
   context.clip();
   const to = { context, layout, density, width, theme, shade };
-  drawBodies(to, frame, show.parts, show.magnification, show.encounter.against);
+  drawBodies(to, frame, show.parts, show.magnification, show.meeting.against);
   context.restore();
   context.fillStyle = theme.text;
   context.font = '13px system-ui, sans-serif';

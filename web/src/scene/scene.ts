@@ -23,7 +23,7 @@ export function createScene(host: HTMLElement, core: Core, cursor: (time: number
   const colors = () => choice('Colours', COLORS, quantity, (chosen) => {
     quantity = chosen;
     player.redraw();
-  }, shown?.encounter.kind === 'rod');
+  }, shown?.meeting.kind === 'rod');
   const player = createPlayer(host, 'Film of the collision', cursor, () => (oblique ? nothing : colors()));
 
   function film(show: Show): Film {

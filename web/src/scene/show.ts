@@ -2,7 +2,7 @@
 
 import { max } from 'd3-array';
 import type { Collision, Core, Encounter, Frame, Grid } from '../core/protocol';
-import { sizesOf } from '../inputs/document';
+import { type Meeting, meetingOf, sizesOf } from '../inputs/document';
 import { blockOf, lengthOf, sizeOf } from '../inputs/kinds';
 import type { Quantity } from './raster';
 import { coarseToFine, filmSpan, insertFrame } from './film';
@@ -12,6 +12,7 @@ import { magnificationOf, stressUnit, viewOf, type View } from './view';
 
 export interface Show {
   encounter: Encounter;
+  meeting: Meeting;
   collision: Collision;
   /** those that are there already, in the order of their times */
   frames: Frame[];
@@ -40,12 +41,14 @@ export async function* produce(
 ): AsyncGenerator<Show> {
   const sizes = sizesOf(encounter);
   // That of the contact in radii of the larger body, whose smallest part it is.
-  const first = encounter.si ? encounter.first[sizeOf(encounter.kind)] : 1;
+  const meeting = meetingOf(encounter);
+  const { kind, against } = meeting;
+  const first = meeting.si ? meeting.first.body[sizeOf(kind)] : 1;
   const halfWidth = max(collision.contact_half_width)! / first / max(sizes)!;
-  const block = blockOf(encounter.kind, encounter.against);
+  const block = blockOf(kind, against);
   const size = block && lengthOf(block);
-  const thickness = size && encounter.second[size] / first;
-  const grid: Grid = { ...gridFor(encounter.kind, halfWidth), ...(block && { below: gridBelow(halfWidth, thickness) }) };
+  const thickness = size && meeting.second!.body[size] / first;
+  const grid: Grid = { ...gridFor(kind, halfWidth), ...(block && { below: gridBelow(halfWidth, thickness) }) };
   const { from, to } = filmSpan(collision.begin, collision.end);
   const frames: Frame[] = [];
   let show: Show | undefined;
@@ -54,18 +57,18 @@ export async function* produce(
       { deliver: (frame) => insertFrame(frames, frame), signal });
     signal.throwIfAborted();
     if (frames.length === 0) return;
-    show ??= showOf({ encounter, collision, frames, from, to, parts: partsOf(encounter, sizes, grid, thickness) });
+    show ??= showOf({ encounter, meeting, collision, frames, from, to, parts: partsOf(encounter, sizes, grid, thickness) });
     yield show;
   }
 }
 
 /** A film with the scales of the frames that are there. */
-function showOf(of: Pick<Show, 'encounter' | 'collision' | 'frames' | 'from' | 'to' | 'parts'>): Show {
+function showOf(of: Pick<Show, 'encounter' | 'meeting' | 'collision' | 'frames' | 'from' | 'to' | 'parts'>): Show {
   const { frames, parts } = of;
   const magnification = magnificationOf(frames, parts);
   return {
     ...of, magnification, secondAtRest: secondIsAtRest(frames),
-    view: viewOf(frames, parts, magnification, of.encounter.against),
+    view: viewOf(frames, parts, magnification, of.meeting.against),
     units: { fringes: stressUnit('fringes', frames, parts), vonMises: stressUnit('vonMises', frames, parts) },
   };
 }

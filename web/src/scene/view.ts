@@ -2,8 +2,9 @@
 // the plane it shows, how large.
 
 import { bisectLeft, cumsum, max, mean, min } from 'd3-array';
-import type { BodyFrame, Encounter, Frame } from '../core/protocol';
+import type { BodyFrame, Frame } from '../core/protocol';
 import { roundDown, roundUp } from '../drawing/numbers';
+import type { Choice } from '../inputs/document';
 import { isBlock } from '../inputs/kinds';
 import { DEEP, PLATE_WIDE } from './grid';
 import { cross, displacementOf, edgeOf, meshOf, type Part, sidesOf } from './parts';
@@ -77,7 +78,7 @@ const MARGIN = 0.08;
 
 /** The view in which all frames fit, as far as the smaller body lets the larger one be seen. */
 export function viewOf(
-  frames: Frame[], parts: Part[], magnification: number, against: Encounter['against'],
+  frames: Frame[], parts: Part[], magnification: number, against: Choice['against'],
 ): View {
   const view: View = { left: 0, right: 0, half: 0 };
   const bounded = parts.filter(({ open }) => !open);

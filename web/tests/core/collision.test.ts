@@ -3,13 +3,12 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import type { Body, Encounter, Frame, Grid } from '../../src/core/protocol';
-import { sizesOf } from '../../src/inputs/document';
-import { unitBody } from '../../src/inputs/inputs';
+import type { Encounter, Frame, Grid } from '../../src/core/protocol';
+import { meetingOf, sizesOf, unitBody } from '../../src/inputs/document';
 import { encounterArguments } from '../../src/inputs/lines';
 import { shortest } from '../../src/drawing/numbers';
 import { barSpeed } from '../../src/inputs/units';
-import { cases } from '../unit/cases';
+import { cases, like } from '../unit/cases';
 import { hasCommand, run } from './native';
 import { ask } from './wasm';
 
@@ -33,6 +32,7 @@ function trajectory(encounter: Encounter, speed: number, cutoff: number): Record
 describe.skipIf(!hasCommand)('a collision', { timeout: 60_000 }, () => {
   it.each(chosen)('is the impact of the command: case %i', (index) => {
     const { encounter, speed } = cases[index]!;
+    const { si } = meetingOf(encounter);
     const cutoff = cutoffOf(encounter, speed);
     const native = trajectory(encounter, speed, cutoff);
     const ours = ask('collision', encounter, { speed, cutoff }).value;
@@ -46,8 +46,8 @@ describe.skipIf(!hasCommand)('a collision', { timeout: 60_000 }, () => {
       const greatest = Math.max(...values.map(Math.abs));
       const unit = greatest / (Math.max(...theirs.map(Math.abs)) || 1);
       const energy = ['translation', 'vibration', 'stored', 'dissipated', 'unresolved'].includes(name);
-      if (!encounter.si || energy) expect(unit === 0 ? 1 : unit, name).toBeCloseTo(1, 10);
-      if (encounter.si && name === 'velocity') expect(unit / barSpeed(encounter)).toBeCloseTo(1, 10);
+      if (!si || energy) expect(unit === 0 ? 1 : unit, name).toBeCloseTo(1, 10);
+      if (si && name === 'velocity') expect(unit / barSpeed(encounter)).toBeCloseTo(1, 10);
       theirs.forEach((value, k) => {
         const size = energy ? 1 : greatest;
         expect(Math.abs(values[k]! - unit * value), `${name} ${k}`).toBeLessThanOrEqual(1e-10 * size);
@@ -59,7 +59,7 @@ describe.skipIf(!hasCommand)('a collision', { timeout: 60_000 }, () => {
 /** A grid that has the foremost point. */
 function gridOf(encounter: Encounter): Grid {
   const below = { depth: Float32Array.from([0, 0.5, 1]), distance: Float32Array.from([0, 0.5, 1, 2]) };
-  return encounter.kind === 'rod'
+  return meetingOf(encounter).kind === 'rod'
     ? { radius: Float32Array.from([0, 0.5, 1]), angle: Float32Array.from([0]) }
     : { radius: Float32Array.from([0, 0.5, 1]), angle: Float32Array.from([0, 1, 2, Math.PI]), below };
 }
@@ -67,7 +67,7 @@ function gridOf(encounter: Encounter): Grid {
 /** Place of the point of a body that touches first. */
 function front(encounter: Encounter, frame: Frame, body: 0 | 1, radius: number): number {
   const seen = frame.bodies[body]!;
-  const rod = encounter.kind === 'rod';
+  const rod = meetingOf(encounter).kind === 'rod';
   const u = seen.radial[rod ? 0 : 2 * 4]!;
   return seen.center + (body === 0 ? 1 : -1) * radius * ((rod ? 0.5 : 1) + u);
 }
@@ -85,7 +85,7 @@ describe('frames', { timeout: 60_000 }, () => {
     const gap = (frame: Frame): number => {
       const first = front(encounter, frame, 0, 1);
       const second = frame.bodies[1];
-      if (encounter.against === 'half-space') return second!.center + second!.radial[0]! - first;
+      if (meetingOf(encounter).against === 'half-space') return second!.center + second!.radial[0]! - first;
       return frame.bodies.length === 1 ? -first : front(encounter, frame, 1, sizesOf(encounter)[1]!) - first;
     };
     expect(gap(before)).toBeGreaterThan(0);
@@ -97,16 +97,13 @@ describe('frames', { timeout: 60_000 }, () => {
       expect(body.fringes.length).toBe(body.radial.length);
     }
     expect(Math.max(...before.bodies[0]!.vonMises)).toBe(0);
-    if (encounter.kind === 'rod') expect(touching.bodies[0]!.vonMises[0]).toBeGreaterThan(0);
+    if (meetingOf(encounter).kind === 'rod') expect(touching.bodies[0]!.vonMises[0]).toBeGreaterThan(0);
   });
 });
 
 describe('frames of a plate', { timeout: 60_000 }, () => {
-  const body = (young: number, density: number): Encounter['first'] => ({
-    poisson: 0.3, young, density, radius: 1, length: 1, area: 1, thickness: 0.5, loss_time: 0,
-  });
-  const encounter: Encounter =
-    { kind: 'sphere', first: body(1, 1), against: 'plate', second: body(3, 4), si: false, plane: 'stress' };
+  const second = { ...unitBody, poisson: 0.3, young: 3, density: 4, thickness: 0.5 };
+  const encounter = like(cases[4]!.encounter, { against: 'plate', second });
   const collision = ask('collision', encounter, { speed: 0.02, cutoff: 8 }).value;
   const below = { depth: Float32Array.from([0, 0.25, 0.5]), distance: Float32Array.from([0, 0.5, 2, 4]) };
   const times = [-1, 0.3 * collision.end, 1.7 * collision.end];
@@ -127,9 +124,7 @@ describe('frames of a plate', { timeout: 60_000 }, () => {
 
 describe('the stress in a half-space', { timeout: 60_000 }, () => {
   // A slow impact is Hertz' (K. L. Johnson, Contact Mechanics, 3.4): a ball as stiff as the block, ν = 0.3.
-  const ball: Body = { ...unitBody, poisson: 0.3 };
-  const encounter: Encounter =
-    { kind: 'sphere', first: ball, against: 'half-space', second: ball, si: false, plane: 'stress' };
+  const encounter = like(cases[4]!.encounter, { against: 'half-space', second: { ...unitBody, poisson: 0.3 } });
   const speed = 1e-3;
   const cutoff = cutoffOf(encounter, speed);
   const collision = ask('collision', encounter, { speed, cutoff }).value;

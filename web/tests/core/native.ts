@@ -1,7 +1,6 @@
 // The native command, which must say the same as the core of the page.
 import { execFileSync } from 'node:child_process';
-import { commandLine, ruleLine } from '../../src/inputs/lines';
-import { predictionArguments } from '../../src/inputs/prediction_line';
+import { argumentsOf, ruleArguments } from '../../src/inputs/lines';
 import { shortest } from '../../src/drawing/numbers';
 import type { Encounter, Prediction } from '../../src/core/protocol';
 import type { Inputs } from '../../src/inputs/inputs';
@@ -25,20 +24,18 @@ export type Row = Record<string, number | string | boolean>;
 
 /** The record of `stoss restitution` for one speed. */
 export function restitution(encounter: Encounter, speed: number, tolerance: number): Row {
-  return record(argumentsOf(commandLine(encounter, speed)), tolerance);
+  return record(argumentsOf(encounter, [speed]), tolerance);
 }
 
 /** The record of `stoss oblique`. */
 export function oblique(inputs: Inputs, tolerance: number): Row {
-  return record(argumentsOf(ruleLine(inputs)), tolerance);
+  return record(ruleArguments(inputs), tolerance);
 }
 
 /** That of `stoss predict`. */
 export function prediction(encounter: Encounter, speed: number, tolerance: number) {
-  return record(predictionArguments(encounter, speed), tolerance) as Row & Pick<Prediction, 'influences' | 'warnings'>;
+  return record(argumentsOf(encounter, [speed], 'predict'), tolerance) as Row & Pick<Prediction, 'influences' | 'warnings'>;
 }
-
-const argumentsOf = (line: string): string[] => line.split(' ').slice(1);
 
 function record(args: string[], tolerance: number): Row {
   const text = run([...args, '--tolerance', shortest(tolerance), '--format', 'json']);

@@ -2,7 +2,7 @@
 import { describe, expect, it } from 'vitest';
 import type { AnglePoint } from '../../src/core/protocol';
 import { motionOf } from '../../src/inputs/inputs';
-import { sizesOf } from '../../src/inputs/document';
+import { meetingOf, sizesOf } from '../../src/inputs/document';
 import { type Place, placesIn } from '../../src/scene/rigid';
 import { obliqueCases } from '../unit/cases';
 import { hasCommand, oblique } from './native';
@@ -18,7 +18,7 @@ describe('the collision rule', { timeout: 60_000 }, () => {
     expect(value.converged).toBe(row.converged);
     const names = ['restitution', 'tangential_restitution', 'sliding', 'sliding_after', 'tangential_after',
       'spin_after', 'second_spin_after', 'friction_loss', 'vibration', 'contact_time', 'cutoff'];
-    if (inputs.encounter.si) names.push('tangential_after_si', 'spin_after_si');
+    if (meetingOf(inputs.encounter).si) names.push('tangential_after_si', 'spin_after_si');
     for (const name of names) {
       const [ours, theirs] = [value.quantities[name]!, row[name] as number];
       // Sums of vectors of another length round differently.

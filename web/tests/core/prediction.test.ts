@@ -1,25 +1,23 @@
 // What the page predicts of real balls is what the native command predicts.
 import { describe, expect, it } from 'vitest';
 import { thresholdsOf } from '../../src/core/local';
-import type { Body, Encounter } from '../../src/core/protocol';
-import { madeOf } from '../../src/inputs/document';
-import { defaults, unitBody } from '../../src/inputs/inputs';
-import { materialNamed } from '../../src/inputs/kinds';
+import type { Encounter } from '../../src/core/protocol';
+import { type Body, type Choice, encounterOf } from '../../src/inputs/document';
+import * as all from '../unit/cases';
 import { hasCommand, prediction } from './native';
 import { ask } from './wasm';
 
-const made = (name: string, radius: number): Body =>
-  madeOf(materialNamed(name), { ...unitBody, radius, thickness: 0.01 });
-const ball: Encounter =
-  { ...defaults.encounter, kind: 'sphere', si: true, first: made('bearing steel', 0.005), second: made('glass', 0.01) };
-const glass: Encounter = { ...ball, first: made('glass', 0.002) };
+const made = (name: string, radius: number): Body => ({ ...all.made(name, radius), thickness: 0.01 });
+const steel = made('bearing steel', 0.005);
+const at = (against: Choice['against'], first = steel, second = made('glass', 0.01)): Encounter =>
+  encounterOf({ kind: 'sphere', si: true, plane: 'stress', against }, first, second);
+const [ball, glass] = [at('wall'), at('wall', made('glass', 0.002))];
 const cases: [Encounter, number][] = [
-  [ball, 1], [ball, 0.01], [{ ...ball, against: 'same' }, 0.5],
-  [{ ...ball, against: 'body', second: made('brass', 0.01) }, 1],
-  [{ ...ball, against: 'half-space' }, 2], [{ ...ball, against: 'plate' }, 1], [{ ...glass, against: 'plate' }, 0.2],
-  [{ ...ball, first: made('ice', 1e-6) }, 1e-3], [{ ...ball, first: { ...ball.first, loss_time: 0 } }, 1],
-  [{ ...ball, first: made('tungsten carbide', 0.005), against: 'half-space', second: made('granite', 1) }, 1],
-  [{ ...ball, against: 'half-space', second: { ...made('glass', 1), young: 6.5e10 } }, 1],
+  [ball, 1], [ball, 0.01], [at('same'), 0.5], [at('body', steel, made('brass', 0.01)), 1], [at('half-space'), 2],
+  [at('plate'), 1], [at('plate', made('glass', 0.002)), 0.2], [at('wall', made('ice', 1e-6)), 1e-3],
+  [at('wall', { ...steel, loss_time: 0 }), 1],
+  [at('half-space', made('tungsten carbide', 0.005), made('granite', 1)), 1],
+  [at('half-space', steel, { ...made('glass', 1), young: 6.5e10 }), 1],
 ];
 
 /** How far numbers may be apart: a motion in steps that follow its error is known to 10⁻⁹. */
@@ -69,8 +67,8 @@ describe('a prediction', () => {
     expect(thresholdsOf(ball)!.yield!).toBeLessThan(0.2);
     expect(thresholdsOf(glass)!.yield).toBeUndefined();
     const given = { speeds: [0.1], tolerance: 1e-2, constants: false };
-    const others: Partial<Encounter>[] = [{ si: false }, { kind: 'disk' }, { kind: 'rod' }];
-    for (const encounter of others.map((other) => ({ ...ball, ...other }))) {
+    const others = [{ si: false }, { kind: 'disk' }, { kind: 'rod' }] as const;
+    for (const encounter of others.map((other) => all.like(ball, other))) {
       expect(thresholdsOf(encounter)).toBeUndefined();
       expect(() => ask('prediction', encounter, given)).toThrow(/^material: missing|allowed/);
     }

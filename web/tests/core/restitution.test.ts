@@ -1,10 +1,9 @@
 // ε of the page's core, and all that comes with it, are those of the native command.
 import { describe, expect, it } from 'vitest';
-import type { Body, Encounter } from '../../src/core/protocol';
-import { madeOf } from '../../src/inputs/document';
-import { materialNamed } from '../../src/inputs/kinds';
+import type { Encounter } from '../../src/core/protocol';
+import { unitBody } from '../../src/inputs/document';
 import { curveSpeeds } from '../../src/inputs/units';
-import { cases } from '../unit/cases';
+import { cases, like, made } from '../unit/cases';
 import { hasCommand, restitution } from './native';
 import { ask } from './wasm';
 
@@ -12,9 +11,9 @@ const one = cases[0]!.encounter;
 const ball = cases[4]!.encounter;
 const more: [Encounter, number, number][] = [
   [one, 0.01, 1e-3], [one, 0.3, 1e-3], [one, 1e-5, 1e-2],
-  [{ ...one, first: { ...one.first, poisson: 0.9 } }, 0.3, 1e-3],
-  [ball, 0.1, 1e-3], [ball, 1e-6, 1e-2], [{ ...ball, against: 'same' }, 0.05, 1e-3],
-  [{ ...ball, against: 'half-space', second: ball.first }, 0.1, 1e-2],
+  [like(one, { first: { ...unitBody, poisson: 0.9 } }), 0.3, 1e-3],
+  [ball, 0.1, 1e-3], [ball, 1e-6, 1e-2], [like(ball, { against: 'same' }), 0.05, 1e-3],
+  [like(ball, { against: 'half-space', second: { ...unitBody, poisson: 0.3 } }), 0.1, 1e-2],
 ];
 const all = [...cases.map(({ encounter, speed }) => [encounter, speed, 1e-2] as const), ...more];
 
@@ -51,15 +50,14 @@ describe.skipIf(!hasCommand)('restitution', { timeout: 60_000 }, () => {
     });
 
   it('has the yield speed of the command, where a strength is known', () => {
-    const made = (name: string, radius: number): Body => madeOf(materialNamed(name), { ...ball.first, radius });
-    const steel: Encounter = { ...ball, si: true, first: made('bearing steel', 0.005) };
+    const steel = like(ball, { si: true, first: made('bearing steel', 0.005) });
     const met = made('brass', 0.002);
     for (const [encounter, known] of [
-      [steel, true], [{ ...steel, against: 'same' }, true],
-      [{ ...steel, against: 'body', second: met }, true],
-      [{ ...steel, against: 'half-space', second: made('glass', 1) }, true],
-      [{ ...steel, first: made('glass', 0.005), against: 'half-space', second: met }, true],
-      [{ ...steel, first: made('glass', 0.005) }, false], [{ ...steel, kind: 'disk' }, false],
+      [steel, true], [like(steel, { against: 'same' }), true],
+      [like(steel, { against: 'body', second: met }), true],
+      [like(steel, { against: 'half-space', second: made('glass', 1) }), true],
+      [like(steel, { first: made('glass', 0.005), against: 'half-space', second: met }), true],
+      [like(steel, { first: made('glass', 0.005) }), false], [like(steel, { kind: 'disk' }), false],
     ] as [Encounter, boolean][]) {
       const { yieldSpeed } = ask('restitution', encounter, { speed: 0.1, tolerance: 1e-2 }).value;
       const theirs = restitution(encounter, 0.1, 1e-2).yield_speed_si as number | undefined;
@@ -72,9 +70,8 @@ describe.skipIf(!hasCommand)('restitution', { timeout: 60_000 }, () => {
   });
 
   it('says what the command warns of the loss and the soundness of materials', () => {
-    const granite = madeOf(materialNamed('granite'), { ...ball.first, radius: 1 });
-    const { materialWarnings } =
-      ask('restitution', { ...ball, si: true, first: granite, against: 'same' }, { speed: 0.1, tolerance: 1e-2 }).value;
+    const granite = like(ball, { si: true, first: made('granite', 1), against: 'same' });
+    const { materialWarnings } = ask('restitution', granite, { speed: 0.1, tolerance: 1e-2 }).value;
     expect(materialWarnings).toHaveLength(2);
     expect(materialWarnings![0]).toMatch(/^the loss of granite is 149 times too small at 0\.1 m\/s: /);
     expect(materialWarnings![1]).toMatch(/^granite is taken as sound/);
@@ -82,7 +79,7 @@ describe.skipIf(!hasCommand)('restitution', { timeout: 60_000 }, () => {
 
   it('is there up to the end of a curve, at a soft half-space too', () => {
     for (const kind of ['disk', 'sphere'] as const) {
-      const soft: Encounter = { ...one, kind, against: 'half-space', second: { ...one.first, young: 0.02 } };
+      const soft = like(one, { kind, against: 'half-space', second: { ...unitBody, young: 0.02 } });
       const speeds = [Math.max(...curveSpeeds(soft))];
       expect(ask('curve', soft, { speeds, tolerance: 1e-2 }).all[0]!.restitution).toBeGreaterThan(0);
       expect(() => ask('curve', soft, { speeds: [0.5], tolerance: 1e-2 })).toThrow('at so soft a body');
@@ -104,11 +101,11 @@ describe.skipIf(!hasCommand)('restitution', { timeout: 60_000 }, () => {
 
 describe('what is wrong', () => {
   it.each([
-    [{ ...one, first: { ...one.first, poisson: 7 } }, 0.1, 'poisson: got 7'],
+    [like(one, { first: { ...unitBody, poisson: 7 } }), 0.1, 'poisson: got 7'],
     [one, 2, 'speed: got 2, allowed 1e-08 to 1 c'],
     [one, Number.NaN, 'speed: got nan'],
-    [{ ...one, against: 'body', second: { ...one.first, radius: -1 } }, 0.1, 'against radius: got -1'],
-    [{ ...one, kind: 'rod', against: 'half-space', second: one.first }, 0.1, 'against: got half-space'],
+    [like(one, { against: 'body', second: { ...unitBody, radius: -1 } }), 0.1, 'against radius: got -1'],
+    [{ first: { kind: 'rod' }, against: 'half-space' } as Encounter, 0.1, 'against: got half-space'],
   ] as [Encounter, number, string][])('is refused with one line: case %#', (encounter, speed, line) => {
     expect(() => ask('restitution', encounter, { speed, tolerance: 1e-2 })).toThrow(line);
   });

@@ -70,7 +70,7 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
     await settled(page);
     const python = 'import stoss\n\ndisk = stoss.Disk(poisson=0.4)\nprint(stoss.restitution(disk, speed=0.2))';
     for (const [button, said, text] of [
-      ['#copy-command', 'Command line copied.', 'stoss restitution --poisson 0.4 --speed 0.2'],
+      ['#copy-command', 'Command line copied.', 'stoss restitution --body disk --poisson 0.4 --speed 0.2'],
       ['#copy-python', 'Python lines copied.', python],
       ['#copy-link', 'Link copied.', `${site.address}?body=disk&nu=0.4&v=0.2`],
     ] as const) {

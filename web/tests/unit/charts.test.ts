@@ -4,9 +4,11 @@ import { barOf } from '../../src/charts/ordinate';
 import { energyOfWaves, energyScale, layoutModes } from '../../src/charts/mode_picture';
 import { frequencyInWords } from '../../src/charts/mode_bars';
 import { cursorWords, panelsOf, summaryOf, thinned } from '../../src/charts/series';
-import type { Collision, CurvePoint, Encounter, ModeEnergy } from '../../src/core/protocol';
+import type { Collision, CurvePoint, ModeEnergy } from '../../src/core/protocol';
 import { unitsOf } from '../../src/core/local';
-import { defaults, unitBody } from '../../src/inputs/inputs';
+import { unitBody } from '../../src/inputs/document';
+import { defaults } from '../../src/inputs/inputs';
+import { like } from './cases';
 import { describe as describeTime, phaseAt, slowness } from '../../src/scene/phases';
 import { stressInWords } from '../../src/scene/picture';
 import { withUnit } from '../../src/drawing/numbers';
@@ -23,7 +25,7 @@ const COLLISION: Collision = {
   stored: time.map((t) => Math.sin((Math.PI * t) / 8) ** 2), dissipated: zero, unresolved: zero,
   modes: [], begin: 0, end: 8,
 };
-const ENCOUNTER: Encounter = { ...defaults.encounter, first: { ...unitBody, poisson: 0.3 } };
+const ENCOUNTER = like(defaults.encounter, { first: { ...unitBody, poisson: 0.3 } });
 
 describe('a collision in words', () => {
   it('has four phases', () => {
@@ -133,12 +135,12 @@ describe('bars of modes', () => {
     expect(energyScale(layoutModes(modes, 0, 'average', 20), true).low).toBeGreaterThan(0);
   });
   it('say frequencies in c/R or Hz', () => {
-    const first = { ...ENCOUNTER.first, radius: 0.01, young: 2.1e11, density: 7850 };
-    const steel: Encounter = { ...ENCOUNTER, si: true, first };
+    const first = { ...unitBody, poisson: 0.3, radius: 0.01, young: 2.1e11, density: 7850 };
+    const steel = like(ENCOUNTER, { si: true, first });
     expect(frequencyInWords(2, ENCOUNTER)).toBe('ω = 2 c/R');
     expect(frequencyInWords(2 * Math.PI, steel)).toBe('517.2 kHz');
-    expect(unitsOf({ ...steel, plane: 'strain' }).modulus! / (2.1e11 / 0.91)).toBeCloseTo(1, 12);
-    expect(unitsOf({ ...steel, kind: 'sphere' }).modulus! / 2.1e11).toBeCloseTo(1, 12);
+    expect(unitsOf(like(steel, { plane: 'strain' })).modulus! / (2.1e11 / 0.91)).toBeCloseTo(1, 12);
+    expect(unitsOf(like(steel, { kind: 'sphere' })).modulus! / 2.1e11).toBeCloseTo(1, 12);
     expect(unitsOf(ENCOUNTER).modulus).toBeUndefined();
   });
   it('have shapes that come to rest where they are farthest', () => {

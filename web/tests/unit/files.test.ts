@@ -2,22 +2,22 @@
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { unitsOf } from '../../src/core/local';
-import type { BodyFile, ModeEnergy } from '../../src/core/protocol';
+import type { ModeEnergy } from '../../src/core/protocol';
 import { fromAddress, toAddress } from '../../src/inputs/address';
 import { problemsOf, refusal } from '../../src/inputs/check';
-import { documentOf, equal, hasFile } from '../../src/inputs/document';
+import { documentOf, equal, hasFile, meetingOf } from '../../src/inputs/document';
 import { fieldsOf } from '../../src/inputs/fields';
 import { fileNamed, openFile, withFile } from '../../src/inputs/files';
 import { type Inputs, defaults, withAgainst, withKind } from '../../src/inputs/inputs';
 import { bodyKinds, fileKind } from '../../src/inputs/kinds';
-import { commandLine, description, pythonLines } from '../../src/inputs/lines';
+import { argumentsOf, commandLine, description, pythonLines } from '../../src/inputs/lines';
 import { withSi, withoutSi } from '../../src/inputs/units';
 import { mixed, pace } from '../../src/page/sound';
 
 const text = readFileSync(new URL('ball.json', import.meta.url), 'utf8');
 
 describe('a body of a file', () => {
-  let file: BodyFile;
+  let file: object;
   let first: Inputs;
   let second: Inputs;
   beforeAll(() => {
@@ -34,7 +34,7 @@ describe('a body of a file', () => {
     expect(JSON.parse(documentOf(first.encounter))).toEqual(
       { first: { kind: 'modal', body: JSON.parse(text) }, against: 'wall' });
     expect(JSON.parse(documentOf(second.encounter)).against).toEqual({ kind: 'modal', body: JSON.parse(text) });
-    expect(first.encounter.first.radius).toBeCloseTo(0.01, 12);
+    expect(meetingOf(first.encounter).first.body.radius).toBeCloseTo(0.01, 12);
     expect(unitsOf(first.encounter).speed).toBeCloseTo(5172.194, 3);
     expect([...problemsOf(first), ...problemsOf(second)]).toEqual([]);
   });
@@ -51,8 +51,8 @@ describe('a body of a file', () => {
   it('has its name in words and in lines', () => {
     expect(description(first.encounter)).toBe('“steel ball”');
     expect(description(second.encounter)).toMatch(/ at “steel ball”$/);
-    expect(commandLine(first.encounter, 1)).toBe('stoss restitution --body @my_ball.json --speed 1');
-    expect(commandLine(second.encounter, 1)).toMatch(
+    expect(commandLine(argumentsOf(first.encounter, [1]))).toBe('stoss restitution --body @my_ball.json --speed 1');
+    expect(commandLine(argumentsOf(second.encounter, [1]))).toMatch(
       /^stoss restitution --body sphere .* --against @my_ball.json --speed 1$/);
     expect(pythonLines(first)).toContain('body = stoss.ModalBody.read("my_ball.json")\nprint(stoss.restitution(body, ');
     expect(pythonLines(second)).toContain('other = stoss.ModalBody.read("my_ball.json")');
@@ -81,7 +81,7 @@ describe('a body of a file', () => {
 
 describe('the sound', () => {
   const modes = [0, 1].map((index): ModeEnergy => ({ body: 0, order: 0, index, omega: 2 + index, after: index, average: 0 }));
-  const si = { ...defaults.encounter, si: true };
+  const si = withSi(defaults).encounter;
   it('is played as it is where one hears it, else at concert pitch', () => {
     expect(pace(si, modes, 1000)).toEqual({ interval: 1 / 44100, words: 'Played as it sounds.' });
     const slow = pace(si, modes, 1e6)!;

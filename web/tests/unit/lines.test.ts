@@ -1,14 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { defaults } from '../../src/inputs/inputs';
-import { commandLine, curveCsv, description, pythonLines, ruleLine, version } from '../../src/inputs/lines';
+import { argumentsOf, commandLine, curveCsv, description, pythonLines, ruleArguments, version } from '../../src/inputs/lines';
 import { cases, obliqueCases } from './cases';
 
-const lines = cases.map(({ encounter, speed }) => commandLine(encounter, speed));
+const lines = cases.map(({ encounter, speed }) => commandLine(argumentsOf(encounter, [speed])));
 
 describe('the command line', () => {
   it('has what is not usual only', () => {
-    expect(lines[0]).toBe('stoss restitution --poisson 0.33 --speed 0.1');
-    expect(lines[3]).toBe('stoss restitution --poisson 0.33 ' +
+    expect(lines[0]).toBe('stoss restitution --body disk --poisson 0.33 --speed 0.1');
+    expect(lines[3]).toBe('stoss restitution --body disk --poisson 0.33 ' +
       '--against half-plane,poisson=0.2,young=0.5,density=1,loss_time=0.02 --speed 0.05');
     expect(lines[6]).toBe(
       'stoss restitution --body rod --against rod,young=1,density=3,length=2.5,area=0.5 --speed 0.1');
@@ -16,18 +16,21 @@ describe('the command line', () => {
   it('has the thickness of a plate', () => {
     expect(lines[13]).toBe('stoss restitution --body sphere --poisson 0.3 ' +
       '--against plate,poisson=0.2,young=0.5,density=1,thickness=2 --speed 0.1');
-    expect(lines[14]).toContain(' --against strip,poisson=0.25,young=1.5e11,density=5000,thickness=0.03,loss_time=1e-9');
+    expect(lines[14]).toBe("stoss restitution --body disk --material 'structural steel' --radius 0.01 --plane strain " +
+      '--against strip,poisson=0.25,young=1.5e11,density=5000,thickness=0.03,loss_time=1e-9 --speed 1');
   });
   it('is that of the collision rule where there is friction', () => {
-    expect(ruleLine(defaults)).toBe(lines[0]);
-    expect(ruleLine(obliqueCases[1]!)).toBe('stoss oblique --poisson 0.33 --against ' +
+    expect(commandLine(ruleArguments(defaults))).toBe(lines[0]);
+    expect(commandLine(ruleArguments(obliqueCases[1]!))).toBe('stoss oblique --body disk --poisson 0.33 --against ' +
       'disk,poisson=0.2,young=2,density=3,radius=0.5 --speed 0.1 --angle -20 --friction 0.2 ' +
       '--spin 0.05 --second-spin -0.1');
     expect(pythonLines(obliqueCases[2]!).trimEnd().split('\n').at(-1)).toBe(
       'print(stoss.oblique(sphere, speed=0.01, angle=70, friction=1, spin=-0.02))');
   });
-  it('needs no quoting in a shell', () => {
-    for (const line of lines) expect(line).toMatch(/^[a-zA-Z0-9 .,=_-]+$/);
+  it('names materials, as one word of a shell', () => {
+    expect(lines[10]).toBe("stoss restitution --body sphere --material 'bearing steel' --radius 0.005 " +
+      '--against half-space,material=glass --speed 1');
+    for (const line of lines) expect(line).toMatch(/^([a-zA-Z0-9 .,=_-]|'[a-zA-Z0-9 .,=_-]+')+$/);
   });
 });
 
@@ -48,7 +51,7 @@ describe('plates', () => {
   it('are blocks with a thickness in Python', () => {
     expect(pythonLines({ ...defaults, encounter, speed }).split('\n')[3]).toBe(
       'block = stoss.Plate(thickness=0.01, material=stoss.materials["glass"])');
-    expect(pythonLines(cases[14]!)).toContain('block = stoss.Strip(thickness=0.03, material=stoss.Material(');
+    expect(pythonLines(cases[14]!)).toContain('block = stoss.Strip(thickness=0.03, loss_time=1e-9, material=stoss.Material(');
   });
   it('are said in a few words', () => {
     expect(description(encounter)).toBe('bearing steel sphere 5 mm at glass plate 10 mm');
@@ -64,7 +67,7 @@ describe('the CSV of a curve', () => {
   it('has the command’s names, slowest first', () => {
     expect(curveCsv(cases[0]!.encounter, points)).toBe([
       `# stoss ${version}: restitution`,
-      '# command: stoss restitution --poisson 0.33 --speed 0.01,0.1 --format csv',
+      '# command: stoss restitution --body disk --poisson 0.33 --speed 0.01,0.1 --format csv',
       '# body: disk', '# tolerance: 0.001', 'poisson,speed[c],restitution,restitution_error,converged',
       '0.33,0.01,0.98,unknown,false', '0.33,0.1,0.94706,3.1e-5,true', '',
     ].join('\n'));
@@ -73,6 +76,6 @@ describe('the CSV of a curve', () => {
     const { encounter } = cases[12]!;
     const text = curveCsv(encounter, points);
     expect(text).toContain('\nspeed[c],speed_si[m/s],restitution,');
-    expect(text).toContain(' --young 6.9e10 ');
+    expect(text).toContain(' --material aluminium ');
   });
 });

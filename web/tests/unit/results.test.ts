@@ -1,11 +1,12 @@
 // What the page shows of a result besides ε: how high it bounces, at what speed it yields.
 import { describe, expect, it } from 'vitest';
-import type { Encounter, Quantity, Restitution } from '../../src/core/protocol';
+import type { Quantity, Restitution } from '../../src/core/protocol';
 import { flags, reboundInWords, reboundOf, shownQuantity, yieldInWords } from '../../src/page/results';
 import { presets } from '../../src/inputs/inputs';
+import { like } from './cases';
 
 const ball = presets[1]!.encounter;
-const plain: Encounter = { ...ball, si: false, against: 'wall' };
+const plain = like(ball, { si: false, against: 'wall' });
 
 function result(speed: number, restitution: Quantity, more: Partial<Restitution> = {}): Restitution {
   const quantities = { restitution };
@@ -23,7 +24,7 @@ describe('the height of rebound', () => {
   });
   it('is none where the other body moves too', () => {
     for (const against of ['same', 'body'] as const) {
-      const words = reboundInWords({ ...ball, against }, result(1, { value: 0.9, unit: '' }));
+      const words = reboundInWords(like(ball, { against }), result(1, { value: 0.9, unit: '' }));
       expect(words).toEqual({ full: '', short: '' });
     }
   });

@@ -2,11 +2,13 @@
 import { expect, it } from 'vitest';
 import type { Core, Encounter } from '../../src/core/protocol';
 import { withWarmUp } from '../../src/core/warm_up';
+import { meetingOf } from '../../src/inputs/document';
 import { cases } from './cases';
 
 it('computes values of half-spaces after the first answer, once', async () => {
   const log: string[] = [];
-  const core = withWarmUp((async (question: string, { kind, against }: Encounter) => {
+  const core = withWarmUp((async (question: string, encounter: Encounter) => {
+    const { kind, against } = meetingOf(encounter);
     log.push(question === 'curve' ? `${kind} ${against}` : question);
     if (question === 'curve') throw new Error('no worker');
   }) as unknown as Core);
