@@ -86,8 +86,6 @@ TEST(Quantities, HaveNamesAndSentencesOfTheirOwn) {
   expect_names_and_sentences(quasistatic::soft_static_contact_quantities());
   expect_names_and_sentences(quasistatic::point_slow_impact_quantities());
   expect_names_and_sentences(quasistatic::point_rayleigh_quantities());
-  expect_names_and_sentences(quasistatic::half_space_radiation_quantities());
-  expect_names_and_sentences(quasistatic::lossy_impact_quantities());
   expect_names_and_sentences(oblique_ledger_quantities());
   expect_names_and_sentences(oblique_quantities());
   expect_names_and_sentences(oblique_run_quantities());

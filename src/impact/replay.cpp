@@ -95,15 +95,6 @@ std::vector<double> residual_compliance(const BodyFrame& seen, const Poll& poll)
   return compliance;
 }
 
-std::vector<double> contact_displacement(const BodyFrame& seen, const std::vector<double>& compliance) {
-  std::vector<double> displacement = surface_displacement(seen, seen.points);
-  const std::size_t count = seen.points.count;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j < count; ++j) displacement[i] -= compliance[i * count + j] * seen.node_force[j];
-  }
-  return displacement;
-}
-
 std::vector<Frame> motion(const Contact& contact, const Impact& impact, const std::vector<double>& times,
                           const Poll& poll) {
   require_times(times);

@@ -35,14 +35,8 @@ double stable_root(double approach) {
 
 }  // namespace
 
-double pull_off_force(const PointPair& pair, double work_of_adhesion) {
-  (void)point_hertz(pair, 0.0);  // refuses what is out of range
-  require_work(work_of_adhesion);
-  return 1.5 * pi * work_of_adhesion / pair.curvature;
-}
-
 double adhesion_energy(const PointPair& pair, double work_of_adhesion) {
-  (void)point_hertz(pair, 0.0);
+  (void)point_hertz(pair, 0.0);  // refuses what is out of range
   require_work(work_of_adhesion);
   const double s = std::cbrt(0.25);
   const double number = 0.3 + 0.5 * std::pow(s, 4) + 8.0 / 15.0 * std::pow(s, 10) - 4.0 / 3.0 * std::pow(s, 7);

@@ -25,11 +25,6 @@ double hertz_half_width(double force) {
   return 2.0 * std::sqrt(force);
 }
 
-double hertz_force(double half_width) {
-  require("half_width", half_width, {0.0, 1.0, true, true, "0 to 1"}, "of the contact, in R");
-  return 0.25 * half_width * half_width;
-}
-
 double hertz_pressure(double force, double y) {
   const double a = hertz_half_width(force);
   require_place(y);

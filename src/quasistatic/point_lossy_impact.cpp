@@ -14,17 +14,6 @@ constexpr Range not_negative{0.0, 1e100, true, true, "0 to 1e100"};
 
 }  // namespace
 
-double series_loss_time(double first_softness, double first_loss_time, double second_softness,
-                        double second_loss_time) {
-  require("first_softness", first_softness, not_negative, "(1 - nu^2)/E, 0 for a rigid body");
-  require("second_softness", second_softness, not_negative, "(1 - nu^2)/E, 0 for a rigid body");
-  require("first_loss_time", first_loss_time, not_negative, "in units of R/c");
-  require("second_loss_time", second_loss_time, not_negative, "in units of R/c");
-  const double both = first_softness + second_softness;
-  require("softness", both, positive, "of both bodies: one of them must yield");
-  return first_softness / both * first_loss_time + second_softness / both * second_loss_time;
-}
-
 LossyImpact lossy_impact(LossyLaw law, const LossyContact& contact, double speed) {
   require("curvature", contact.pair.curvature, positive, "1/R1 + 1/R2");
   require("softness", contact.pair.softness, positive, "1/E*");

@@ -104,30 +104,4 @@ const Quantities<SoftStaticContact>& soft_static_contact_quantities() {
   return all;
 }
 
-const Quantities<HalfSpaceRadiation>& half_space_radiation_quantities() {
-  using R = HalfSpaceRadiation;
-  static const Quantities<R> all{
-      {"lost_fraction", none, help::lost_fraction, lost_fraction<R>},
-      {"contact_time", time, help::slow_contact_time, &R::contact_time},
-      {"max_compression", length, help::slow_max_compression, &R::max_compression},
-      {"max_force", force, help::max_force, &R::max_force},
-      {"max_radius", length, help::max_radius, &R::max_radius},
-      {"first_order", none, "Lost fraction to first order", &R::first_order},
-      {"beyond_perturbation", none, "Whether the error is above a tenth of the loss, beyond perturbation theory",
-       &R::beyond_perturbation},
-  };
-  return all;
-}
-
-const Quantities<LossyImpact>& lossy_impact_quantities() {
-  using L = LossyImpact;
-  static const Quantities<L> all{
-      {"restitution", none, help::restitution, &L::restitution},
-      {"loss_number", none, "Loss number of the contact, on which alone the restitution depends", &L::loss_number},
-      {"contact_time", time, help::slow_contact_time, &L::contact_time},
-      {"max_compression", length, help::slow_max_compression, &L::max_compression},
-  };
-  return all;
-}
-
 }  // namespace stoss::quasistatic

@@ -27,11 +27,23 @@ void PrintTo(const Meeting& meeting, std::ostream* stream) { *stream << meeting.
 
 class TouchingSurfaces : public testing::TestWithParam<Meeting> {};
 
+/// Displacement of the surface of a body at the contact points, towards what it meets, in its own units: by its kept
+/// modes and, in their static answer to the forces, by all others.
+std::vector<double> contact_displacement(const BodyFrame& seen) {
+  std::vector<double> displacement = surface_displacement(seen, seen.points);
+  const std::vector<double> compliance = residual_compliance(seen);
+  const std::size_t count = seen.points.count;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < count; ++j) displacement[i] -= compliance[i * count + j] * seen.node_force[j];
+  }
+  return displacement;
+}
+
 /// Places of the surface of a body at the contact points, R of the first.
 std::vector<double> places(const Contact& contact, const ContactGrid& grid, const Frame& frame, int number) {
   const BodyFrame seen = seen_by(contact, grid, frame, number);
   const std::vector<double> recess = seen.body->surface(seen.points).recess;
-  const std::vector<double> displaced = contact_displacement(seen, residual_compliance(seen));
+  const std::vector<double> displaced = contact_displacement(seen);
   std::vector<double> result(recess.size());
   for (std::size_t i = 0; i < result.size(); ++i) {
     const double out = seen.length * (seen.body->extent - recess[i] + displaced[i]);
@@ -67,7 +79,7 @@ TEST(TouchingSurface, OfAHalfSpaceIsThatOfItsField) {
   const Impact hit = impact(meeting, 0.05);
   const ContactGrid grid = contact_grid(meeting, hit.resolution.half_width, hit.resolution.nodes);
   const BodyFrame seen = seen_by(meeting, grid, motion(meeting, hit, {0.5 * hit.contact_time}).front(), 1);
-  const std::vector<double> displaced = contact_displacement(seen, residual_compliance(seen));
+  const std::vector<double> displaced = contact_displacement(seen);
   const double place = seen.points.radius * std::sin(seen.points.angle(3));
   const bodies::half_space::HalfSpaceField field(poisson, *seen.body, seen.points, {{place}, {0.0}});
   EXPECT_NEAR(field.at(seen.coordinate, seen.node_force).normal[0], -displaced[3], 1e-3 * hit.max_compression);

@@ -9,7 +9,6 @@
 
 #include "quasistatic/point_pulse.hpp"
 #include "stoss/quasistatic/half_space_radiation.hpp"
-#include "stoss/quasistatic/quantities.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {
@@ -114,15 +113,6 @@ TEST(HalfSpaceRadiation, MeetsTheFullSolution) {
   const BallOnHalfSpace bodies{
       .poisson = 0.3, .half_space_poisson = 0.23, .young = 70.0 / 210.0, .density = 2500.0 / 7850.0};
   EXPECT_NEAR(half_space_radiation(PointLaw::center, bodies, 1.0 / c).lost_fraction, 0.0085314, 7.5e-6);
-}
-
-TEST(HalfSpaceRadiation, NamesItsQuantities) {
-  const HalfSpaceRadiation slow = half_space_radiation(PointLaw::center, of_one_material(0.3, false), 1e-3);
-  const auto& all = half_space_radiation_quantities();
-  ASSERT_FALSE(all.empty());
-  EXPECT_EQ(all.front().name, "lost_fraction");
-  EXPECT_EQ(std::get<double>(all.front().value(slow)), slow.lost_fraction);
-  EXPECT_EQ(all.front().error(slow), slow.lost_fraction_error);
 }
 
 TEST(HalfSpaceRadiation, RefusesWhatIsOutOfRange) {

@@ -60,10 +60,10 @@ void expect_relative(const PlaneStress& found, const PlaneStress& expected, doub
   EXPECT_NEAR(found.xy, expected.xy, tolerance * std::abs(expected.xy)) << where;
 }
 
-TEST(QuasistaticHertz, HalfWidthAndForce) {
+TEST(QuasistaticHertz, HalfWidth) {
   EXPECT_DOUBLE_EQ(hertz_half_width(0.01), 0.2);
   for (const double force : {0.0, 1e-300, 1e-7, 0.03, 0.25}) {
-    EXPECT_NEAR(hertz_force(hertz_half_width(force)), force, 4e-16 * force);
+    EXPECT_NEAR(0.25 * std::pow(hertz_half_width(force), 2), force, 4e-16 * force);
   }
 }
 
@@ -217,7 +217,6 @@ TEST(QuasistaticHertz, RefusesOtherPlacesAndForces) {
     test::expect_refusal([&] { (void)hertz_pressure(wrong, 0.0); }, {"force"});
     test::expect_refusal([&] { (void)hertz_stress(wrong, 0.1, 0.0); }, {"force"});
   }
-  test::expect_refusal([&] { (void)hertz_force(1.5); }, {"half_width", "1.5"});
   test::expect_refusal([&] { (void)hertz_stress(0.1, -0.1, 0.0); }, {"depth", "-0.1", "0 or more"});
   test::expect_refusal([&] { (void)hertz_stress(0.1, 0.1, nan); }, {"y: got nan"});
   test::expect_refusal([&] { (void)hertz_pressure(0.1, nan); }, {"y: got nan"});

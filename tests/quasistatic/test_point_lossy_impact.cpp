@@ -13,7 +13,6 @@
 #include "quasistatic/lossy_motion.hpp"
 #include "stoss/quasistatic/point_lossy_impact.hpp"
 #include "stoss/quasistatic/point_slow_impact.hpp"
-#include "stoss/quasistatic/quantities.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {
@@ -114,21 +113,13 @@ TEST(PointLossyImpact, HasItsFirstOrderOfAnyLaw) {
   }
 }
 
-TEST(PointLossyImpact, SharesTheLossTimeOfTwoBodies) {
-  EXPECT_DOUBLE_EQ(series_loss_time(0.9, 0.2, 0.0, 7.0), 0.2);
-  EXPECT_DOUBLE_EQ(series_loss_time(0.9, 0.2, 0.3, 0.2), 0.2);
-  EXPECT_DOUBLE_EQ(series_loss_time(0.9, 0.2, 0.3, 0.0), 0.15);
+TEST(PointLossyImpact, OfTwoEqualBodiesIsThatAtAWall) {
   // Two equal bodies that meet at 2v are one at a wall at v.
   const LossyImpact wall = lossy_impact(LossyLaw::ting, ball(0.3, 0.5), 1e-4);
   const LossyImpact pair = lossy_impact(LossyLaw::ting, {{2.0, 2.0 * 0.91}, 0.5 * mass, 0.5}, 2e-4);
   EXPECT_NEAR(pair.restitution, wall.restitution, 1e-14);
   EXPECT_NEAR(pair.contact_time / wall.contact_time, 1.0, 1e-14);
   EXPECT_NEAR(pair.max_compression / wall.max_compression, 2.0, 1e-14);
-}
-
-TEST(PointLossyImpact, NamesItsQuantities) {
-  const LossyImpact impact = lossy_impact(LossyLaw::ting, ball(0.3, 0.5), 1e-4);
-  EXPECT_EQ(std::get<double>(lossy_impact_quantities().front().value(impact)), impact.restitution);
 }
 
 TEST(PointLossyImpact, RefusesWhatIsOutOfRange) {
@@ -143,8 +134,6 @@ TEST(PointLossyImpact, RefusesWhatIsOutOfRange) {
   test::expect_refusal(of({{1.0, 0.0}, 1.0, 0.1}, 1e-3), {"softness"});
   test::expect_refusal(of({{1.0, 1.0}, infinity, 0.1}, 1e-3), {"mass"});
   test::expect_refusal(of(ball(0.3, 0.1), 0.0), {"speed"});
-  test::expect_refusal([] { (void)series_loss_time(0.0, 1.0, 0.0, 1.0); }, {"softness"});
-  test::expect_refusal([] { (void)series_loss_time(1.0, -1.0, 0.0, 1.0); }, {"first_loss_time"});
   test::expect_refusal([] { (void)viscous_loss(PointLaw::hertz, 0.3, nan, 1e-3); }, {"loss_time"});
 }
 

@@ -52,10 +52,6 @@ struct BodyFrame {
 /// units, per share of force BodyFrame::node_force at another.
 [[nodiscard]] std::vector<double> residual_compliance(const BodyFrame& seen, const Poll& poll = {});
 
-/// Displacement of the surface of a body at the contact points, towards what it meets, in its own units: by its kept
-/// modes and, in their static answer to the forces, by all others. @param compliance of these others, as above
-[[nodiscard]] std::vector<double> contact_displacement(const BodyFrame& seen, const std::vector<double>& compliance);
-
 /// What meets at given times of its impact, which is repeated bit by bit: during the impact at the
 /// nearest step (Frame::time says which), before and after it in free flight.
 /// @param contact the one of the impact, with all its modes

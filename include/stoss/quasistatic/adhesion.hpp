@@ -13,13 +13,10 @@
 /// the two jumps, is 7.09 (w⁵R⁴/E*²)^{1/3}.
 namespace stoss::quasistatic {
 
-/// Force over which bodies part under a load, ER²: (3/2)πwR. It does not depend on the modulus.
+/// Energy that the jumps into and out of contact take from an impact, ER³: 7.09 (w⁵R⁴/E*²)^{1/3}, with
+/// 7.09 = (2π)^{5/3} (3/10 + (1/2) s⁴ + (8/15) s¹⁰ − (4/3) s⁷) at s³ = 1/4.
 /// @param work_of_adhesion w in ER; 0 to 1e100
 /// @throws InvalidInput outside that range, and as point_hertz
-[[nodiscard]] double pull_off_force(const PointPair& pair, double work_of_adhesion);
-
-/// Energy that the jumps into and out of contact take from an impact, ER³: 7.09 (w⁵R⁴/E*²)^{1/3}, with
-/// 7.09 = (2π)^{5/3} (3/10 + (1/2) s⁴ + (8/15) s¹⁰ − (4/3) s⁷) at s³ = 1/4. @throws InvalidInput as above
 [[nodiscard]] double adhesion_energy(const PointPair& pair, double work_of_adhesion);
 
 /// Speed below which elastic bodies stick, c: (2/m · adhesion_energy)^{1/2} = (14.18/m)^{1/2} (w⁵R⁴/E*²)^{1/6} (C.

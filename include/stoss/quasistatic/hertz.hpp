@@ -19,10 +19,6 @@ struct PlaneStress {
 /// @throws InvalidInput outside that range
 [[nodiscard]] double hertz_half_width(double force);
 
-/// The force that belongs to a half-width, πRE: F = a²/4. @param half_width a, 0 … 1 R
-/// @throws InvalidInput outside that range
-[[nodiscard]] double hertz_force(double half_width);
-
 /// Contact pressure, E: p(y) = ½√(a² − y²), 0 outside the contact (paper eq. (45)).
 /// @param y along the wall from the middle of the contact, R
 /// @throws InvalidInput as hertz_half_width, and for a y that is not finite

@@ -28,15 +28,6 @@ struct LossyContact {
   double loss_time = 0.0;  ///< η, R/c
 };
 
-/// η of two bodies of different loss times: each counts with its share of the softness.
-///
-/// Exact to first order of η, and for any η where both are equal or one body is rigid. Two Kelvin-Voigt bodies in
-/// series are otherwise none: at high frequencies the stiffer one yields.
-/// @param first_softness,second_softness (1 − ν²)/E, 0 for a rigid one; not both 0
-/// @throws InvalidInput for a negative argument or one that is not finite
-[[nodiscard]] double series_loss_time(double first_softness, double first_loss_time, double second_softness,
-                                      double second_loss_time);
-
 /// An impact of lossy round bodies, with the inputs that made it. Relative errors below 1e-13.
 struct LossyImpact {
   LossyLaw law{};

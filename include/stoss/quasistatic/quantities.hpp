@@ -1,8 +1,6 @@
 #pragma once
 
 #include "stoss/quantity.hpp"
-#include "stoss/quasistatic/half_space_radiation.hpp"
-#include "stoss/quasistatic/point_lossy_impact.hpp"
 #include "stoss/quasistatic/point_rayleigh.hpp"
 #include "stoss/quasistatic/point_slow_impact.hpp"
 #include "stoss/quasistatic/rayleigh.hpp"
@@ -28,11 +26,5 @@ namespace stoss::quasistatic {
 
 /// Quantities of Rayleigh's estimate for a sphere, those of the impact that drives the modes included.
 [[nodiscard]] const Quantities<PointRayleighEstimate>& point_rayleigh_quantities();
-
-/// Quantities of the loss of a slow ball to a half-space.
-[[nodiscard]] const Quantities<HalfSpaceRadiation>& half_space_radiation_quantities();
-
-/// Quantities of an impact of lossy round bodies.
-[[nodiscard]] const Quantities<LossyImpact>& lossy_impact_quantities();
 
 }  // namespace stoss::quasistatic
