@@ -1,6 +1,6 @@
 # The short way in. Everything here can also be done with the CMake presets (cmake --list-presets).
 .DEFAULT_GOAL := help
-.PHONY: help setup build python modal-tools demo web web-serve wheel npm static deb test test-fast test-long coverage systems bench bench-compare \
+.PHONY: help setup build python modal-tools demo web web-serve wheel npm static deb test test-fast test-friends test-long coverage systems bench bench-compare \
 	validate results docs paper paper-quick format lint install uninstall clean
 
 JOBS ?= $(shell nproc)
@@ -31,7 +31,8 @@ modal-tools: python ## what build/venv/bin/python -m stoss.modal needs: DOLFINx,
 demo: build python ## restitution against speed for two Poisson's ratios, and a collision: here and in out/
 	@scripts/demo.sh build/release/cli/stoss build/venv/bin/python
 
-web: setup ## build the page, with the core in WebAssembly, into build/web
+web: ## build the page, with the core in WebAssembly, into build/web
+	@scripts/install-dependencies.sh page
 	@scripts/web.sh $(JOBS) && echo "built: build/web; any static server can serve it (make web-serve)"
 
 web-serve: web ## serve it on this machine: http://127.0.0.1:8000 (PORT=... for another port)
@@ -41,7 +42,8 @@ wheel: ## the Python package for other machines, and its sources (sdist): build/
 	@scripts/install-dependencies.sh python
 	@scripts/wheel.sh
 
-npm: setup ## the core in WebAssembly for JavaScript and TypeScript, as an npm package: build/dist
+npm: ## the core in WebAssembly for JavaScript and TypeScript, as an npm package: build/dist
+	@scripts/install-dependencies.sh page
 	@scripts/npm.sh $(JOBS)
 
 static: build ## the command without shared libraries, to be copied anywhere: build/static/stoss
@@ -54,7 +56,10 @@ test: ## what must hold: tests of every face, what handles memory under sanitize
 test-fast: ## only the fast ones of them, of the library and of the command
 	@scripts/test.sh fast $(JOBS)
 
-test-long: ## before a release: everything under sanitizers, the documentation site, the validation, coverage
+test-friends: ## programs of others, and the whole page in a browser, where what they take has changed (GROUP=..., ALL=1)
+	@scripts/test.sh friends $(JOBS) $(if $(ALL),--all) $(GROUP)
+
+test-long: ## before a release: all of it, everything under sanitizers, the documentation site, the validation, coverage
 	@scripts/test.sh long $(JOBS)
 
 coverage: setup ## lines of src/ and cli/ that the fast tests run, by folder

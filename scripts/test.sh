@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The tests of a tier and of those before it: fast (at every commit), whole (what must hold) or long (before a release:
-# all tests, all of them under sanitizers too, the documentation site, the validation, coverage).
-#   test.sh fast|whole|long [JOBS]
+# all tests, those with programs of others, all of them under sanitizers, the documentation site, the validation,
+# coverage); or friends, only those with programs of others, of the groups that are named or whose inputs have changed.
+#   test.sh fast|whole|long [JOBS] | test.sh friends JOBS [--all] [GROUP …]
 set -euo pipefail
 tier=$1
 jobs=${2:-2}
@@ -21,6 +22,8 @@ run() {
   return $status
 }
 
+friends() { /usr/bin/python3 scripts/friends.py --jobs "$jobs" "$@"; }
+
 # While the library is compiled, what only its tests need is installed.
 scripts/install-dependencies.sh build
 case $tier in long) packages=long ;; *) packages=test ;; esac
@@ -33,6 +36,12 @@ configure release
 cmake --build --preset release -j "$jobs" --target stoss stoss_command
 wait $installing || { cat build/packages.log >&2; exit 1; }
 cat build/packages.log
+
+if [ "$tier" = friends ]; then
+  configure release -DSTOSS_BUILD_TESTS=ON -DSTOSS_BUILD_PYTHON=ON
+  friends "${@:3}"
+  exit
+fi
 
 step "format"
 git ls-files '*.cpp' '*.hpp' '*.c' '*.h' | xargs -P "$jobs" -n 100 clang-format --dry-run --Werror
@@ -71,6 +80,9 @@ else
   case $tier in long) run asan-long asan ;; *) run asan asan ;; esac
   echo "$state" >"$passed"
 fi
+
+step "tests: programs of others"
+case $tier in long) friends --all ;; *) friends ;; esac
 [ "$tier" = long ] || exit 0
 
 step "tests: long"

@@ -1,10 +1,14 @@
 #!/usr/bin/env bash
-# Tests of the page by their topic, in web/. They are skipped where the page is not built.
-#   web.sh core|unit|page
+# Tests of the page by their topic, in web/: unit and smoke with the core for this machine, core and browser with that in
+# WebAssembly. They are skipped where the page is not built.
+#   web.sh unit|smoke|core|browser
 set -euo pipefail
-[ -d node_modules ] && [ -f ../build/wasm/stoss.mjs ] || { echo "skipped: the page is not built"; exit 77; }
+built=../build/native/web
+case $1 in core | browser) built=../build/web ;; esac
+[ -d node_modules ] && [ -d $built ] || { echo "skipped: the page is not built"; exit 77; }
 case $1 in
   core) npx vitest run tests/core ;;
-  page) npx vitest run tests/page ;;
+  smoke) STOSS_PAGE=$PWD/$built npx vitest run tests/smoke ;;
+  browser) npx vitest run tests/page ;;
   unit) npx tsc --noEmit && npx vitest run tests/unit tests/native ;;
 esac

@@ -15,5 +15,5 @@ export default defineConfig({
   build: { outDir: '../build/web', emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0 },
   worker: { format: 'es' },
   server: { host: '127.0.0.1' }, // a machine without a hosts file knows no localhost
-  test: { include: ['tests/{core,unit,native,page}/**/*.test.ts'], setupFiles: ['tests/setup.ts'] },
+  test: { include: ['tests/{core,unit,native,page,smoke}/**/*.test.ts'], setupFiles: ['tests/setup.ts'] },
 });

@@ -12,10 +12,13 @@ from conftest import OFFLINE, ROOT, VERSION, run
 
 PACKAGE = ROOT / "build/npm"
 TSC = ROOT / "web/node_modules/.bin/tsc"
-pytestmark = pytest.mark.skipif(
-    not ((PACKAGE / "package.json").exists() and (PACKAGE / "stoss.wasm").exists() and TSC.exists()),
-    reason="the npm package is not built here",
-)
+pytestmark = [
+    pytest.mark.page,
+    pytest.mark.skipif(
+        not ((PACKAGE / "package.json").exists() and (PACKAGE / "stoss.wasm").exists() and TSC.exists()),
+        reason="the npm package is not built here",
+    ),
+]
 
 # Values of two compilers agree up to rounding (docs/architecture.md), their errors to the same share of the value.
 SAME = 1e-12

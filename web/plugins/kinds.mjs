@@ -1,10 +1,14 @@
 // Writes what the core knows of bodies: src/generated/kinds.ts, its table of kinds and its named materials, for the
 // types and texts of the page; package/generated/documents.ts, the types of encounters, for the package.
+//   node kinds.mjs FOLDER    that of the core, stoss.mjs and stoss.wasm
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import create from '../../build/wasm/stoss.mjs';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { typesOf } from './documents.mjs';
 
-const wasmBinary = readFileSync(new URL('../../build/wasm/stoss.wasm', import.meta.url));
+const folder = resolve(process.argv[2]);
+const { default: create } = await import(pathToFileURL(join(folder, 'stoss.mjs')).href);
+const wasmBinary = readFileSync(join(folder, 'stoss.wasm'));
 const core = await create({ wasmBinary });
 const asked = (question) => JSON.parse(core[question]({}, null).value);
 

@@ -10,6 +10,7 @@ import pytest
 import stoss
 import two_balls
 
+pytestmark = pytest.mark.particles
 SPEEDS = np.geomspace(1e-3, 0.1, 5)
 SLIDING = np.array([0.5, 1.0, 2.0, 3.0, 4.0, 6.0])  # over μv: angles from 3 to 31 degrees
 FRICTION = 0.1

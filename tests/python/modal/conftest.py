@@ -35,11 +35,11 @@ def missing():
 
 def pytest_collection_modifyitems(items):
     here = Path(__file__).parent
-    if missing():
-        reason = f"not installed: {', '.join(missing())} (make modal-tools)"
-        for item in items:
-            if here in Path(item.fspath).parents:
-                item.add_marker(pytest.mark.skip(reason=reason))
+    for item in items:
+        if here in Path(item.fspath).parents:
+            item.add_marker("elements")
+            if missing():
+                item.add_marker(pytest.mark.skip(reason=f"not installed: {', '.join(missing())} (make modal-tools)"))
 
 
 class Modal:

@@ -78,6 +78,7 @@ def test_estimate(folder, environment):
     assert sorted(path.name for path in folder.iterdir()) == ["bin", "cases.py", "cases.sbatch", "small.toml"]
 
 
+@pytest.mark.cluster
 def test_job_on_two_processes_is_requeued_and_continues(folder, environment):
     needs_mpi()
     whole = stoss.sweep(folder / "small.toml", store=folder / "whole")

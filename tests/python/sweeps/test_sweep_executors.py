@@ -67,6 +67,7 @@ def run(words, folder, environment):
     return {kind: stoss.open_sweep(folder / kind).rows.tobytes() for kind in TOMLS}
 
 
+@pytest.mark.cluster
 def test_mpi(rows, interpreter, tmp_path):
     pytest.importorskip("mpi4py", reason="python3-mpi4py is not installed")
     if shutil.which("mpiexec") is None:
@@ -79,6 +80,7 @@ def test_mpi(rows, interpreter, tmp_path):
     assert run(words, tmp_path, environment) == rows
 
 
+@pytest.mark.cluster
 def test_dask(rows, interpreter, tmp_path):
     pytest.importorskip("distributed", reason="python3-distributed is not installed")
     made = "Client(n_workers=2, threads_per_worker=1, dashboard_address=None)"

@@ -1,7 +1,8 @@
 // The built page, served from a folder and opened in Debian's Chromium.
+import { spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
-import { type Server, createServer } from 'node:http';
+import { type IncomingMessage, type Server, type ServerResponse, createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -30,11 +31,19 @@ export interface Site {
   close(): Promise<void>;
 }
 
+/** What the core for this machine says, which a page without WebAssembly asks (tests/page_core). */
+function answer(request: IncomingMessage, response: ServerResponse, question: string): void {
+  const asked = spawn(process.env.STOSS_PAGE_CORE!, question === '' ? [] : [question]);
+  request.pipe(asked.stdin);
+  asked.stdout.pipe(response);
+}
+
 /** Serve the page as any static server would, from a folder inside the site. */
 export async function startSite(): Promise<Site> {
   const transferred = new Map<string, number>();
   const server: Server = createServer((request, response) => {
     const { pathname } = new URL(request.url ?? '/', 'http://x');
+    if (pathname.startsWith('/page-core/')) return void answer(request, response, pathname.slice(11));
     const path = pathname.replace(/^\/some\/folder/, '').replace(/\/$/, '/index.html');
     readFile(join(folder, normalize(path))).then(
       (body) => {
@@ -64,7 +73,7 @@ export async function startSite(): Promise<Site> {
         if (message.type() === 'error') troubles.push(message.text());
       });
       page.on('request', (request) => {
-        if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(address)) troubles.push(request.url());
+        if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(address) && !/\/page-core\//.test(request.url())) troubles.push(request.url());
       });
       page.on('response', (response) => {
         if (response.status() >= 400) troubles.push(`${response.status()} ${response.url()}`);
