@@ -50,8 +50,8 @@ class Collision {
     val units = val::object();
     val made = object({{"units", units},
                        {"modes", modes()},
-                       {"begin", val(begin == snapshots_.end() ? 0.0 : begin->time * second)},
-                       {"end", val(end == snapshots_.rend() ? 0.0 : end->time * second)}});
+                       {"begin", begin == snapshots_.end() ? 0.0 : begin->time * second},
+                       {"end", end == snapshots_.rend() ? 0.0 : end->time * second}});
     for (const auto& each : snapshot_quantities()) {
       std::vector<double> values;
       for (const Snapshot& now : snapshots_) values.push_back(std::get<double>(each.value(now)));
@@ -85,13 +85,13 @@ class Collision {
           insides_.push_back(inside(meeting_->solid(static_cast<int>(n)), its, points, below, say_alive));
         }
         const Interior now = insides_[n](its);
-        seen.call<void>("push", object({{"center", val(its.center)},
+        seen.call<void>("push", object({{"center", its.center},
                                         {"radial", float32_array(now.radial)},
                                         {"tangential", float32_array(now.tangential)},
                                         {"vonMises", float32_array(now.von_mises, its.stress)},
                                         {"fringes", float32_array(now.principal_difference, its.stress)}}));
       }
-      asked.deliver(object({{"time", val(instants[i].time * unit)}, {"bodies", seen}}), i);
+      asked.deliver(object({{"time", instants[i].time * unit}, {"bodies", seen}}), i);
     }
   }
 
@@ -108,17 +108,16 @@ class Collision {
  private:
   /// Of the bodies, without the waves of a half-space.
   [[nodiscard]] val modes() const {
-    val list = val::array();
-    for (const ModeEnergy& mode : its_.impact.energy.modes) {
-      if (meeting_->against_unbounded() && mode.body == 1) continue;
-      list.call<void>("push", object({{"body", val(mode.body)},
-                                      {"order", val(mode.order)},
-                                      {"index", val(mode.index)},
-                                      {"omega", val(mode.omega)},
-                                      {"after", val(mode.after)},
-                                      {"average", val(mode.average)}}));
-    }
-    return list;
+    std::vector<ModeEnergy> its = its_.impact.energy.modes;
+    if (meeting_->against_unbounded()) std::erase_if(its, [](const ModeEnergy& mode) { return mode.body == 1; });
+    return list(its, [](const ModeEnergy& mode) {
+      return object({{"body", mode.body},
+                     {"order", mode.order},
+                     {"index", mode.index},
+                     {"omega", mode.omega},
+                     {"after", mode.after},
+                     {"average", mode.average}});
+    });
   }
 
   /// What is shown up to the last of some times: of a plate, which is seen farther from the axis than it is struck, one

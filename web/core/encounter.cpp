@@ -123,9 +123,9 @@ val units(const Question& asked) {
   // A rod in SI keeps its numbers.
   const auto* rod = std::get_if<Rod>(&meeting.first);
   const double modulus = rod != nullptr ? rod->young : 1.0;
-  val made = object({{"speed", val(meeting.unit(Dimension::speed))},
-                     {"time", val(meeting.unit(time))},
-                     {"frequency", val(meeting.unit(frequency))},
+  val made = object({{"speed", meeting.unit(Dimension::speed)},
+                     {"time", meeting.unit(time)},
+                     {"frequency", meeting.unit(frequency)},
                      {"first", elastic(meeting.first, modulus)}});
   if (meeting.si) made.set("modulus", meeting.encounter.first.material->density * std::pow(meeting.si->speed, 2));
   if (meeting.second) made.set("second", elastic(*meeting.second, modulus));

@@ -4,17 +4,35 @@
 #include <emscripten/val.h>
 
 #include <initializer_list>
+#include <string>
 #include <utility>
 #include <vector>
 
 /// Values of JavaScript.
 namespace stoss::web {
 
+/// A member of an object: a number, a flag, a text, or a value of JavaScript.
+struct Member {
+  template <typename Value>
+  Member(std::string called, const Value& its) : name(std::move(called)), value(its) {}
+
+  std::string name;
+  emscripten::val value;
+};
+
 /// An object with these members.
-[[nodiscard]] inline emscripten::val object(std::initializer_list<std::pair<const char*, emscripten::val>> members) {
+[[nodiscard]] inline emscripten::val object(std::initializer_list<Member> members) {
   emscripten::val made = emscripten::val::object();
   for (const auto& [name, value] : members) made.set(name, value);
   return made;
+}
+
+/// An array of what some values become.
+template <typename Values, typename Made>
+[[nodiscard]] emscripten::val list(const Values& values, const Made& made) {
+  emscripten::val all = emscripten::val::array();
+  for (const auto& each : values) all.call<void>("push", made(each));
+  return all;
 }
 
 /// A copy as Float64Array, or as Float32Array, each value times a factor.

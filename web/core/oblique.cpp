@@ -67,12 +67,12 @@ val oblique_angles(const Question& asked) {
   std::vector<ObliqueCase> cases;
   for (const double angle : angles) cases.push_back(at_angle(asked, *meeting, angle));
   oblique_curve(meeting->contact, cases, options(asked), [&](std::size_t i, const ObliqueRestitution& result) {
-    asked.deliver(object({{"angle", val(angles[i])},
-                          {"restitution", val(result.restitution.value)},
-                          {"error", val(result.restitution.error)},
-                          {"tangential", val(result.tangential_restitution.value)},
-                          {"tangentialError", val(result.tangential_restitution.error)},
-                          {"converged", val(result.converged)}}),
+    asked.deliver(object({{"angle", angles[i]},
+                          {"restitution", result.restitution.value},
+                          {"error", result.restitution.error},
+                          {"tangential", result.tangential_restitution.value},
+                          {"tangentialError", result.tangential_restitution.error},
+                          {"converged", result.converged}}),
                   i);
   });
   return val::undefined();

@@ -12,36 +12,23 @@ namespace {
 
 using emscripten::val;
 
-/// Channels in their order, each with its share of the energy.
-val channels(const Prediction& of) {
-  val made = val::array();
-  for (std::size_t i = 0; i < channel_names.size(); ++i) {
-    made.call<void>("push", object({{"name", val(std::string(channel_names[i]))},
-                                    {"share", val(of.shares[i])},
-                                    {"model", val(is_model(static_cast<Channel>(i)))}}));
-  }
-  return made;
-}
-
-val influences(const Prediction& of) {
-  val made = val::array();
-  for (const auto& [constant, uncertainty, change] : of.influences) {
-    made.call<void>("push",
-                    object({{"constant", val(constant)}, {"uncertainty", val(uncertainty)}, {"change", val(change)}}));
-  }
-  return made;
-}
-
 val answer(const Prediction& of) {
-  val quantities = val::object(), warnings = val::array();
+  val quantities = val::object(), channels = val::array();
   for (const auto& each : prediction_quantities()) put(quantities, each.name, each, of, UnitSystem::sphere_si);
-  for (const std::string& each : of.warnings) warnings.call<void>("push", each);
-  return object({{"speed", val(of.speed)},
+  for (std::size_t i = 0; i < channel_names.size(); ++i) {
+    const bool model = is_model(static_cast<Channel>(i));
+    channels.call<void>("push",
+                        object({{"name", std::string(channel_names[i])}, {"share", of.shares[i]}, {"model", model}}));
+  }
+  const auto influence = [](const Influence& its) {
+    return object({{"constant", its.constant}, {"uncertainty", its.uncertainty}, {"change", its.change}});
+  };
+  return object({{"speed", of.speed},
                  {"quantities", quantities},
-                 {"channels", channels(of)},
-                 {"dominant", val(std::string(channel_names[static_cast<std::size_t>(of.dominant)]))},
-                 {"influences", influences(of)},
-                 {"warnings", warnings}});
+                 {"channels", channels},
+                 {"dominant", std::string(channel_names[static_cast<std::size_t>(of.dominant)])},
+                 {"influences", list(of.influences, influence)},
+                 {"warnings", list(of.warnings, [](const std::string& line) { return val(line); })}});
 }
 
 /// ε with all channels at many speeds in m/s, one by one.
@@ -62,7 +49,7 @@ val prediction(const Question& asked) {
 /// Speeds at which models begin to matter. @throws InvalidInput for what is not predicted
 val thresholds(const Question& asked) {
   const Thresholds its = stoss::thresholds(encounter_from_json(asked.text("document")));
-  val made = object({{"sticking", val(its.sticking)}});
+  val made = object({{"sticking", its.sticking}});
   if (its.yield) made.set("yield", *its.yield);
   return made;
 }

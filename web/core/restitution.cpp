@@ -43,10 +43,10 @@ val curve(const Question& asked) {
   std::vector<double> own;
   for (const double speed : speeds) own.push_back(own_speed(meeting->encounter, speed));
   restitution_curve(meeting->contact, own, options(asked), [&](std::size_t i, const Restitution& result) {
-    asked.deliver(object({{"speed", val(speeds[i])},
-                          {"restitution", val(result.restitution.value)},
-                          {"error", val(result.restitution.error)},
-                          {"converged", val(result.converged)}}),
+    asked.deliver(object({{"speed", speeds[i]},
+                          {"restitution", result.restitution.value},
+                          {"error", result.restitution.error},
+                          {"converged", result.converged}}),
                   i);
   });
   return val::undefined();

@@ -21,7 +21,8 @@ void put(emscripten::val& all, const std::string& name, const Quantity<Result>& 
   const auto* count = std::get_if<std::int64_t>(&value);
   if (real == nullptr && count == nullptr) return;
   const double number = real != nullptr ? *real : static_cast<double>(*count);
-  val made = object({{"value", val(number * unit)}, {"unit", val(std::string(unit_name(quantity.dimension, system)))}});
+  const std::string called(unit_name(quantity.dimension, system));
+  val made = object({{"value", number * unit}, {"unit", called}, {"help", quantity.help}});
   if (quantity.error) made.set("error", quantity.error(result) * unit);
   all.set(name, made);
 }
@@ -41,19 +42,18 @@ template <typename Result>
 emscripten::val answer(const Meeting& meeting, double speed, const emscripten::val& quantities, const Result& result,
                        const Impact& finest) {
   using emscripten::val;
-  val made = object({{"speed", val(speed)},
+  val made = object({{"speed", speed},
                      {"quantities", quantities},
-                     {"converged", val(result.converged)},
-                     {"reason", val(result.reason)},
-                     {"cutoff", val(finest.cutoff)},
-                     {"note", val(finest.remaining > 0.0 ? note_of_staying() : std::string())},
-                     {"beyondSmallStrain", val(finest.beyond_small_strain)}});
+                     {"converged", result.converged},
+                     {"reason", result.reason},
+                     {"cutoff", finest.cutoff},
+                     {"note", finest.remaining > 0.0 ? note_of_staying() : std::string()},
+                     {"beyondSmallStrain", finest.beyond_small_strain}});
   if (const auto yield = yield_speed(meeting.encounter)) made.set("yieldSpeed", *yield);
   if (const std::string said = yield_warning(meeting.encounter, speed); !said.empty()) made.set("yieldWarning", said);
-  val lines = val::array();
-  for (const std::string& line : loss_warnings(meeting.encounter, speed, speed)) lines.call<void>("push", line);
-  for (const std::string& line : sound_warnings(meeting.encounter)) lines.call<void>("push", line);
-  made.set("materialWarnings", lines);
+  std::vector<std::string> lines = loss_warnings(meeting.encounter, speed, speed);
+  for (const std::string& line : sound_warnings(meeting.encounter)) lines.push_back(line);
+  made.set("materialWarnings", list(lines, [](const std::string& line) { return val(line); }));
   return made;
 }
 

@@ -1,4 +1,4 @@
-// What the core answers. Words are those of the command: docs/architecture.md, stoss --help.
+// What the core is asked of a motion, and what it answers. Words are those of the command: stoss --help.
 
 /** What an encounter's numbers are measured in. */
 export interface Units {
@@ -24,6 +24,8 @@ export interface Elastic {
 export interface Quantity {
   value: number;
   unit: string;
+  /** what it is */
+  help: string;
   error?: number;
 }
 
@@ -125,4 +127,84 @@ export interface CurvePoint {
   restitution: number;
   error: number;
   converged: boolean;
+}
+
+/** How they meet: the speed of approach is that along the normal. With friction the first body comes in at an angle. */
+export interface Motion {
+  /** c of the first body, or m/s in SI */
+  readonly speed: number;
+  /** μ of Coulomb's law, by default that of the encounter; without it nothing along the surface counts */
+  readonly friction?: number;
+  /** between its velocity, relative to what it meets, and the normal, in degrees */
+  readonly angle: number;
+  /** of both bodies, in c/R of the first, or rad/s in SI, by default 0; they move what touches as the angle does */
+  readonly spin?: number;
+  readonly spin2?: number;
+}
+
+/** ε_t of one angle, with ε. */
+export interface AnglePoint {
+  angle: number;
+  restitution: number;
+  error: number;
+  tangential: number;
+  tangentialError: number;
+  converged: boolean;
+}
+
+/** What an oblique collision has for every instant: what is along the normal and along the surface, and shares of
+ *  the energy. */
+type ObliqueInstants = 'time' | 'velocity' | 'tangential' | 'force' | 'friction'
+  | 'translation' | 'across' | 'rotation' | 'second_rotation' | 'elastic' | 'friction_loss';
+
+/** One oblique impact in time, at a cutoff. */
+export interface ObliqueCollision extends Record<ObliqueInstants, Float64Array> {
+  units: Record<'time' | 'velocity' | 'force', string>;
+  begin: number;
+  end: number;
+  /** what moves, as its centre of mass, or the wall or half-space that it meets, sees it: places of centres in radii of
+   *  the first, bodies at rest would first touch at x = 0; and by how much they have turned counterclockwise */
+  bodies: Record<'x' | 'y' | 'angle', Float64Array>[];
+  /** of the contact points along the surface, in radii of the first, in their order; those of rings are their radii */
+  places: Float64Array;
+  /** what they do, instants × places: 0 stick, 1 and −1 slip along and against y, 2 carry no pressure */
+  grips: Int8Array;
+}
+
+/** What takes energy; ringing, radiation and material are computed, the others are models. */
+export interface Channel {
+  /** as the command has it */
+  name: string;
+  /** of the energy before the impact */
+  share: number;
+  model: boolean;
+}
+
+/** By what ε changes where a constant of a material is larger, by the factor within which it is known. */
+export interface Influence {
+  constant: string;
+  /** that factor is 1 + this */
+  uncertainty: number;
+  change: number;
+}
+
+/** ε of one speed with all channels: what `stoss predict --format json` prints. */
+export interface Prediction {
+  speed: number;
+  /** restitution, by_models, by_constants, models_low, models_high, restitution_without_models, … in SI */
+  quantities: Record<string, Quantity>;
+  channels: Channel[];
+  /** the name of the one with the largest share */
+  dominant: string;
+  /** the largest change first; none where constants are taken as exact */
+  influences: Influence[];
+  warnings: string[];
+}
+
+/** Speeds in m/s at which models begin to matter. */
+export interface Thresholds {
+  /** it yields above; undefined where no strength is known */
+  yield?: number;
+  /** it sticks below; 0: never */
+  sticking: number;
 }

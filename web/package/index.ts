@@ -6,8 +6,6 @@ export { type Ask, type CompiledCore, CoreError, type Deliver, instantiate } fro
 export type { Against, Encounter, First, Material, ModalBody } from './generated/documents.js';
 export type { NamedMaterial, Options, Stoss } from './methods.js';
 export type * from './answers.js';
-export type * from './oblique.js';
-export type * from './prediction.js';
 export type { Questions, QuickQuestions } from './questions.js';
 
 /** Compile the core. @param from where its WebAssembly is; without it, beside this module */

@@ -41,12 +41,10 @@ export type Stoss = { readonly [Name in keyof All]: Method<All[Name]> } & {
   readonly ask: Ask;
 };
 
-/** Whether the answers of a question come one by one. */
-const many: Record<keyof All, boolean> = {
-  restitution: false, curve: true, header: false, prediction: true, thresholds: false,
-  oblique: false, obliqueAngles: true, obliqueCollision: false,
-  collision: false, frames: true, sound: false, shape: false, units: false,
-};
+const questions: readonly (keyof All)[] = [
+  'restitution', 'curve', 'header', 'prediction', 'thresholds', 'oblique', 'obliqueAngles', 'obliqueCollision', 'collision',
+  'frames', 'sound', 'shape', 'units',
+];
 
 /** How a core is made. */
 export interface Options {
@@ -71,9 +69,9 @@ function withMethods(ask: Ask): Stoss {
         all[index] = one;
         each?.(one, index);
       });
-      return many[name] ? all : answer;
+      return answer ?? all;
     };
-  const methods = Object.fromEntries(Object.keys(many).map((name) => [name, method(name as keyof All)]));
+  const methods = Object.fromEntries(questions.map((name) => [name, method(name)]));
   const { materials } = JSON.parse(ask('kinds', {}) as string) as { materials: NamedMaterial[] };
   return {
     ...methods, ask, materials, version: ask('version', {}), schema: () => JSON.parse(ask('schema', {}) as string),

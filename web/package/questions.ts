@@ -1,7 +1,7 @@
 // What can be asked about an encounter. What is optional has the value of the command where it is left out.
-import type { Collision, CurvePoint, Frame, Grid, Restitution, Shape, Units } from './answers.js';
-import type { AnglePoint, Motion, ObliqueCollision } from './oblique.js';
-import type { Prediction, Thresholds } from './prediction.js';
+import type {
+  AnglePoint, Collision, CurvePoint, Frame, Grid, Motion, ObliqueCollision, Prediction, Restitution, Shape, Thresholds, Units,
+} from './answers.js';
 
 /** Those that take their time. Speeds are in c of the first body, or in m/s if it has a material. */
 export interface Questions {

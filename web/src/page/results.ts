@@ -8,21 +8,20 @@ import { gravity } from '../scene/hops';
 
 export type Stage = 'first' | 'final';
 
-/** What becomes of the motion along the surface and of the energy, by the names of the core. */
-const afterwards: [quantity: string, words: string][] = [
-  ['sliding', 'Sliding velocity before, s'], ['tangential_after', 'Velocity along the surface after'],
-  ['spin_after', 'Spin after'], ['second_spin_after', 'Spin after, of what it meets'],
-  ['friction_loss', 'Energy lost to friction'], ['vibration', 'Energy left in vibration'],
-  ['dissipated', 'Energy lost in the material'], ['translation', 'Energy left along the normal'],
-  ['across', 'Energy left along the surface'], ['rotation', 'Energy left in rotation'],
-  ['second_rotation', 'Energy in rotation of what it meets'],
+/** What becomes of the motion along the surface and of the energy. */
+const afterwards = [
+  'sliding', 'tangential_after', 'spin_after', 'second_spin_after', 'friction_loss', 'vibration', 'dissipated',
+  'translation', 'across', 'rotation', 'second_rotation',
 ];
+
+/** A number of the core, or of one's own. */
+type Number = Omit<Quantity, 'help'>;
 
 /** Whether what is shown belongs to the inputs (''), or why not. */
 type Age = '' | 'wrong' | 'computing';
 
 /** A quantity with a readable unit and the digits that its error allows, or some others. */
-function shown(quantity: Quantity, digits = shownNumber): string {
+function shown(quantity: Number, digits = shownNumber): string {
   const { size, unit } = prefixFor(quantity.value, quantity.unit);
   return `${digits(quantity, 1 / size)}${unit === '' ? '' : `\u00a0${unit}`}`;
 }
@@ -33,24 +32,24 @@ export function shownQuantity(result: Restitution, name: string): string {
   return quantity === undefined ? '–' : shown(quantity);
 }
 
-function shownNumber({ value, error }: Quantity, factor: number): string {
+function shownNumber({ value, error }: Number, factor: number): string {
   return error === undefined ? significant(value * factor, 6) : withError(value * factor, error * factor);
 }
 
 /** As far as a class needs it. */
-function threeDigits({ value }: Quantity, factor = 1): string {
+function threeDigits({ value }: Number, factor = 1): string {
   return (value * factor).toPrecision(3);
 }
 
 /** How high a body bounces that falls on what rests: ε²h, from the height h = v²/2g of its drop, both in m; without SI
  *  in units of the drop. Undefined for one that meets another body, which moves too. */
-export function reboundOf(encounter: Encounter, speed: number, restitution: Quantity) {
+export function reboundOf(encounter: Encounter, speed: number, restitution: Number) {
   if (meetsBody(encounter)) return undefined;
   const { si } = meetingOf(encounter);
   const { value, error } = restitution;
   const drop = si ? speed ** 2 / (2 * gravity) : undefined;
   const unit = drop ?? 1;
-  const height: Quantity = { value: value ** 2 * unit, unit: si ? 'm' : '' };
+  const height: Number = { value: value ** 2 * unit, unit: si ? 'm' : '' };
   if (error !== undefined) height.error = 2 * value * error * unit;
   return { drop, height };
 }
@@ -130,11 +129,11 @@ export function createResults() {
     /** Show a result; of the final one screen readers are told, once it stays. */
     show(encounter: Encounter, result: Restitution, stage: Stage): void {
       const { si } = meetingOf(encounter);
-      const epsilon = result.quantities.restitution ?? { value: NaN, unit: '' };
+      const epsilon: Number = result.quantities.restitution ?? { value: NaN, unit: '' };
       const { full, short } = reboundInWords(encounter, result);
       const { tangential_restitution: tangential } = result.quantities;
-      render(tangential ? afterwards.filter(([name]) => result.quantities[name]?.value).map(([name, words]) =>
-        html`<div><dt>${words}</dt><dd>${shownQuantity(result, name)}</dd></div>`) : nothing, rows);
+      render(tangential ? afterwards.filter((name) => result.quantities[name]?.value).map((name) =>
+        html`<div><dt>${result.quantities[name]!.help}</dt><dd>${shownQuantity(result, name)}</dd></div>`) : nothing, rows);
       put({
         epsilon: withError(epsilon.value, epsilon.error ?? 0),
         'epsilon-short': threeDigits(epsilon),

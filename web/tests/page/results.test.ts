@@ -120,7 +120,7 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
     await settled(page);
     expect(page.url()).toContain('&v=5&mu=1&angle=25&spin=40');
     expect(await page.textContent('#command-line')).toContain('stoss oblique --body sphere');
-    expect(await page.textContent('#afterwards')).toMatch(/Spin after-\d+\.\d+ ± \d+\.\d+\srad\/s/);
+    expect(await page.textContent('#afterwards')).toMatch(/Spin of the first body after the impact-\d+\.\d+ ± \d+\.\d+\srad\/s/);
     await page.waitForSelector('#hops canvas[aria-label*="2, table: ε 0.9"]');
     await page.waitForSelector('#scene canvas[aria-label*="% sticks"]');
     await page.locator('#angle-chart .chart-area').press('ArrowRight');

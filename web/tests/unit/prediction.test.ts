@@ -13,7 +13,7 @@ import { cases, like, made } from './cases';
 const marble = presets[1]!.encounter;
 
 function predicted(speed: number, restitution: number, more: Partial<Prediction> = {}): Prediction {
-  const of = (value: number) => ({ value, unit: '' });
+  const of = (value: number) => ({ value, unit: '', help: '' });
   const quantities = {
     restitution: { ...of(restitution), error: 2e-6 }, models_low: of(restitution - 0.1),
     models_high: of(restitution + 0.1), by_models: of(0.1), by_constants: of(0.123),
@@ -46,7 +46,7 @@ describe('real materials', () => {
     expect(value).toBe('0.81');
     expect(uncertain).toMatch(/^± .* numerical, ± 0\.10? spread of models, ± 0\.12 constants$/);
     const { quantities } = predicted(1, 0.8135);
-    const exact = { ...quantities, by_models: { value: 0, unit: '' }, by_constants: { value: 0, unit: '' } };
+    const exact = { ...quantities, by_models: { value: 0, unit: '', help: '' }, by_constants: { value: 0, unit: '', help: '' } };
     expect(uncertaintiesInWords(predicted(1, 0.8135, { quantities: exact })).uncertain).toContain(
       '± 0 spread of models, constants taken as exact');
   });

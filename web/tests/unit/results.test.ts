@@ -1,15 +1,19 @@
 // What the page shows of a result besides ε: how high it bounces, at what speed it yields.
 import { describe, expect, it } from 'vitest';
-import type { Quantity, Restitution } from '../../src/core/protocol';
+import type { Restitution } from '../../src/core/protocol';
 import { flags, reboundInWords, reboundOf, shownQuantity, yieldInWords } from '../../src/page/results';
 import { presets } from '../../src/inputs/inputs';
 import { like } from './cases';
 
+type Number = { value: number; error?: number; unit: string };
+
 const ball = presets[1]!.encounter;
 const plain = like(ball, { si: false, against: 'wall' });
 
-function result(speed: number, restitution: Quantity, more: Partial<Restitution> = {}): Restitution {
-  const quantities = { restitution };
+/** Numbers of the core with what they are. */
+function result(speed: number, restitution: Number, more: Partial<Restitution> = {}, others: Record<string, Number> = {}): Restitution {
+  const quantities = Object.fromEntries(
+    Object.entries({ restitution, ...others }).map(([name, each]) => [name, { help: '', ...each }]));
   return { speed, quantities, converged: true, reason: '', note: '', cutoff: 8, beyondSmallStrain: false, ...more };
 }
 
@@ -58,7 +62,7 @@ describe('what materials do that was not computed', () => {
 describe('what rings leave out', () => {
   const said = (value: number): string[] => {
     const quantities = { coupling_tangential_restitution: { value, unit: '' } };
-    return flags(result(1, { value: 0.9, unit: '' }, { quantities }));
+    return flags(result(1, { value: 0.9, unit: '' }, {}, quantities));
   };
   it('is said where it is not small, or unknown', () => {
     expect(said(0)).toEqual([]);
@@ -72,7 +76,7 @@ describe('a quantity', () => {
   it('has no digits that its error does not allow', () => {
     const force = (value: number, error: number): string => {
       const quantities = { max_force_si: { value, error, unit: 'N' } };
-      return shownQuantity(result(1, { value: 1, unit: '' }, { quantities }), 'max_force');
+      return shownQuantity(result(1, { value: 1, unit: '' }, {}, quantities), 'max_force');
     };
     expect(force(9530, 4960)).toBe('10 ± 5\u00a0kN');
     expect(force(4924, 985)).toBe('5 ± 1\u00a0kN');
@@ -83,10 +87,10 @@ describe('a quantity', () => {
 describe('how far bodies are strained and turned', () => {
   it('is said with the number, where it is too far', () => {
     const quantities = { strain: { value: 0.1234, unit: '' }, turned: { value: 4.04, unit: '' } };
-    const far = result(1, { value: 0.9, unit: '' }, { quantities, beyondSmallStrain: true, beyondSmallTurn: true });
+    const far = result(1, { value: 0.9, unit: '' }, { beyondSmallStrain: true, beyondSmallTurn: true }, quantities);
     const [strain, turn] = flags(far);
     expect(strain).toMatch(/^Beyond small strain, by some 0\.123: above 0\.1 linear elasticity/);
     expect(turn).toMatch(/^The bodies turn by 4 rad while they touch/);
-    expect(flags(result(1, { value: 0.9, unit: '' }, { quantities }))).toEqual([]);
+    expect(flags(result(1, { value: 0.9, unit: '' }, {}, quantities))).toEqual([]);
   });
 });
