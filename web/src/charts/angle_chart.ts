@@ -6,6 +6,8 @@ import type { AnglePoint } from '../core/protocol';
 import { withError, written } from '../drawing/numbers';
 import { type Drawn, draw, drawLegend } from '../drawing/plot';
 import { look, type Theme } from '../drawing/theme';
+import { currentMarks, pointMarks } from './curve_picture';
+import { barOf } from './model_picture';
 import { createPicker } from './picker';
 
 /** What is drawn of a point, with its error. */
@@ -43,28 +45,18 @@ export function createAngleChart(host: HTMLElement, pick: (angle: number) => voi
   }, pick);
 
   function drawAngles(width: number, theme: Theme): Drawn[] {
-    const x = 'angle';
+    const y = { low: -1.05, high: 1.05, log: false };
     const marks = CURVES.flatMap(({ of }, n) => {
-      const { color, dash, marker: symbol } = look(n, theme);
-      const known = points.filter((point) => of(point)[1] < UNKNOWN).sort((a, b) => a.angle - b.angle);
-      const at = (deviation: number) => (point: AnglePoint): number => of(point)[0] + deviation * of(point)[1];
-      const style = { x, stroke: color, clip: true };
-      return [
-        Plot.line(known, { ...style, y: at(0), strokeWidth: 1.6, strokeDasharray: dash.join(' ') }),
-        Plot.ruleX(known, { ...style, y1: at(-1), y2: at(1), strokeWidth: 1.1, marker: 'tick' }),
-        Plot.dot(known, { ...style, y: at(0), symbol, r: 2.8,
-          fill: ({ converged }: AnglePoint) => (converged ? color : theme.background) }),
-        current ? Plot.dot([current], { x, y: at(0), r: 6, stroke: theme.text, strokeWidth: 2, clip: true }) : null,
-      ];
+      const places = points.filter((point) => of(point)[1] < UNKNOWN).map((point) =>
+        ({ ...barOf('restitution', ...of(point)), at: point.angle, converged: point.converged }));
+      return pointMarks(places, y, look(n, theme), theme);
     });
+    const here = current && currentMarks(current.angle,
+      CURVES.map(({ of }) => barOf('restitution', ...of(current!))), y, theme);
     const chart = draw({
       width, height: Math.min(340, Math.max(220, 0.5 * width)),
-      x: { ...axis(), label: 'angle from the normal, degrees' },
-      y: { low: -1.05, high: 1.05, log: false, label: 'coefficients of restitution' },
-      marks: [
-        Plot.ruleX(current ? [current.angle] : [], { stroke: theme.text, strokeDasharray: '3 3', opacity: 0.6 }),
-        Plot.ruleY([0], { stroke: theme.muted }), ...marks,
-      ],
+      x: { ...axis(), label: 'angle from the normal, degrees' }, y: { ...y, label: 'coefficients of restitution' },
+      marks: [Plot.ruleY([0], { stroke: theme.muted }), ...marks, ...(here ?? [])],
     }, theme);
     return [chart, drawLegend(CURVES.map(({ label }, n) => ({ label, ...look(n, theme) })), width, theme)];
   }

@@ -3,11 +3,10 @@ import * as Plot from '@observablehq/plot';
 import { extent } from 'd3-array';
 import type { CurvePoint, Encounter } from '../core/protocol';
 import { type Drawn, type Scale, draw, drawLegend } from '../drawing/plot';
+import { type Look, type Theme, look } from '../drawing/theme';
 import { meetingOf } from '../inputs/document';
 import { description } from '../inputs/lines';
-import { look, type Look, type Theme } from '../drawing/theme';
-import { type ModelPoint, endsOfSpread, modelLook, modelMarks } from './model_picture';
-import { type Bar, type Ordinate, barOf } from './ordinate';
+import { type Bar, type ModelPoint, type Ordinate, barOf, endsOfSpread, modelLook, modelMarks } from './model_picture';
 
 const LEAST = 1e-7; // of 1 − ε² on a logarithmic axis
 
@@ -83,8 +82,18 @@ export function drawCurves(content: CurveContent, width: number, theme: Theme): 
     y: { ...y, label: ordinate === 'restitution' ? 'coefficient of restitution ε' : 'lost share of energy 1 − ε²' },
     marks: [
       ...modelMarks(model, y, ordinate, theme),
-      ...curves.flatMap((curve, n) => marksOf(curve, look(n, theme), y, ordinate, theme, height)),
-      ...(current ? currentMarks(current, y, ordinate, theme) : []),
+      ...curves.flatMap(({ points, planned }, n) => {
+        const its = look(n, theme);
+        const there = new Set(points.map(({ speed }) => speed));
+        const toCome = planned.filter((speed) => !there.has(speed));
+        const places = points.map((each): Place =>
+          ({ ...each, ...barOf(ordinate, each.restitution, each.error), at: each.speed }));
+        return [
+          Plot.ruleX(toCome, { stroke: its.color, strokeWidth: 1.5, opacity: 0.6, insetTop: height - 6 }),
+          ...pointMarks(places, y, its, theme),
+        ];
+      }),
+      ...(current ? currentMarks(current.speed, [barOf(ordinate, current.restitution, current.error)], y, theme) : []),
     ],
   }, theme);
   const entries = curves.map(({ encounter }, n) => ({ label: description(encounter), ...look(n, theme) }));
@@ -92,52 +101,41 @@ export function drawCurves(content: CurveContent, width: number, theme: Theme): 
   return [chart, drawLegend([...entries, ...ofModel], width, theme)];
 }
 
-type Place = Bar & { speed: number; converged: boolean };
+/** A point in a chart. */
+export type Place = Bar & { at: number; converged: boolean };
 
 /** Error bars, as far as the chart goes. */
 function errorBars(places: Place[], y: Scale, color: string, width: number): Plot.Markish {
   const known = places.filter(({ low, high }) => low !== undefined && high !== undefined);
   return Plot.ruleX(known, {
-    x: 'speed', y1: ({ low }: Place) => Math.max(low!, y.low), y2: 'high', stroke: color, strokeWidth: width,
+    x: 'at', y1: ({ low }: Place) => Math.max(low!, y.low), y2: 'high', stroke: color, strokeWidth: width,
     marker: 'tick', clip: true,
   });
 }
 
-function marksOf(
-  curve: Curve, { color, dash, marker }: Look, y: Scale, ordinate: Ordinate, theme: Theme, ground: number,
-): Plot.Markish[] {
-  const places: Place[] = curve.points
-    .map((each) => ({ ...each, ...barOf(ordinate, each.restitution, each.error) }))
-    .filter(({ value }) => !y.log || value > 0)
-    .sort((a, b) => a.speed - b.speed);
-  const there = new Set(curve.points.map(({ speed }) => speed));
-  const toCome = curve.planned.filter((speed) => !there.has(speed));
-  const r = places.length > 80 ? 2.2 : places.length > 40 ? 2.8 : 3.4;
+/** Points in any order with their error bars, and a line through them. */
+export function pointMarks(points: Place[], y: Scale, { color, dash, marker }: Look, theme: Theme): Plot.Markish[] {
+  const places = points.filter(({ value }) => !y.log || value > 0).sort((a, b) => a.at - b.at);
+  const [r, x] = [places.length > 80 ? 2.2 : places.length > 40 ? 2.8 : 3.4, 'at'];
   return [
-    Plot.ruleX(toCome, { stroke: color, strokeWidth: 1.5, opacity: 0.6, insetTop: ground - 6 }),
-    Plot.line(places, {
-      x: 'speed', y: 'value', stroke: color, strokeWidth: 1.6, strokeDasharray: dash.join(' '), clip: true,
-    }),
+    Plot.line(places, { x, y: 'value', stroke: color, strokeWidth: 1.6, strokeDasharray: dash.join(' '), clip: true }),
     errorBars(places, y, color, 1.1),
     Plot.dot(places, {
-      x: 'speed', y: 'value', symbol: marker, r, stroke: color, strokeWidth: 1.2,
+      x, y: 'value', symbol: marker, r, stroke: color, strokeWidth: 1.2,
       fill: ({ converged }: Place) => (converged ? color : theme.background), clip: true,
     }),
   ];
 }
 
-function currentMarks(
-  { speed, restitution, error }: NonNullable<CurveContent['current']>, y: Scale, ordinate: Ordinate, theme: Theme,
-): Plot.Markish[] {
-  const bar = barOf(ordinate, restitution, error);
-  const place: Place = { ...bar, speed, converged: true };
-  const guide = Plot.ruleX([speed], { stroke: theme.text, strokeDasharray: '3 3', opacity: 0.6 });
-  if (!Number.isFinite(bar.value) || (y.log && !(bar.value >= y.low))) return [guide];
+/** What the inputs stand for: a guide, and points on it. */
+export function currentMarks(at: number, bars: Bar[], y: Scale, theme: Theme): Plot.Markish[] {
+  const places = bars.filter(({ value }) => Number.isFinite(value) && (!y.log || value >= y.low))
+    .map((bar): Place => ({ ...bar, at, converged: true }));
   return [
-    guide,
-    errorBars([place], y, theme.text, 1.6),
-    Plot.dot([place], {
-      x: 'speed', y: 'value', r: 6, fill: theme.background, fillOpacity: 0.6, stroke: theme.text, strokeWidth: 2,
+    Plot.ruleX([at], { stroke: theme.text, strokeDasharray: '3 3', opacity: 0.6 }),
+    errorBars(places, y, theme.text, 1.6),
+    Plot.dot(places, {
+      x: 'at', y: 'value', r: 6, fill: theme.background, fillOpacity: 0.6, stroke: theme.text, strokeWidth: 2,
     }),
   ];
 }

@@ -1,23 +1,21 @@
 // Energies of the modes on the page: each bar is a button that shows its mode.
-
 import { greatest } from 'd3-array';
 import { html, render } from 'lit-html';
 import { repeat } from 'lit-html/directives/repeat.js';
 import { unitsOf } from '../core/local';
 import type { Collision, Core, Encounter, Shape } from '../core/protocol';
 import { choice, keyed } from '../drawing/dom';
-import { chartIn } from '../drawing/pictures';
 import { withUnit, written } from '../drawing/numbers';
-import { BESIDE, stacked, type Drawn } from '../drawing/plot';
+import { chartIn } from '../drawing/pictures';
+import { type Drawn, BESIDE, stacked } from '../drawing/plot';
 import { readTheme } from '../drawing/theme';
 import { equal, meetingOf, meetsBody } from '../inputs/document';
 import { isBlock } from '../inputs/kinds';
 import { evenGrid } from '../scene/grid';
 import { partsOf } from '../scene/parts';
 import {
-  drawModes, energyOfWaves, layoutModes, MODE_LABELS, type ModeBar, type ModeLayout, type When,
+  type ModeBar, type ModeLayout, type When, drawModes, energyOfWaves, layoutModes, MODE_LABELS, swingShape,
 } from './mode_picture';
-import { swingShape } from './mode_shape';
 
 const PITCH = 17; // pixels of a bar, at least
 const SMALLEST = 24; // height of what is pressed

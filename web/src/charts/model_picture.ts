@@ -1,10 +1,28 @@
-// The curve of a model in a chart of ε against the speed: its spread, and a line that is dashed as no other.
+// What is drawn of a coefficient of restitution, and the curve of a model in a chart of it against the speed: its spread,
+// and a line that is dashed as no other.
 import * as Plot from '@observablehq/plot';
 import type { Prediction } from '../core/protocol';
 import { bandInWords, withError, written } from '../drawing/numbers';
 import type { Scale } from '../drawing/plot';
 import type { Theme } from '../drawing/theme';
-import { type Ordinate, barOf } from './ordinate';
+
+/** What is drawn of a speed: ε, or the lost share of the energy 1 − ε². */
+export type Ordinate = 'restitution' | 'loss';
+
+/** A value with the ends of its error bar; they are missing where the error is unknown. */
+export interface Bar {
+  value: number;
+  low?: number;
+  high?: number;
+}
+
+/** What a point is on the vertical axis: of 1 − ε² the error is 2 ε times that of ε. */
+export function barOf(ordinate: Ordinate, restitution: number, error: number): Bar {
+  const ratio = ordinate === 'restitution';
+  const value = ratio ? restitution : 1 - restitution * restitution;
+  const reach = ratio ? error : 2 * Math.abs(restitution) * error;
+  return { value, ...(Number.isFinite(error) && { low: value - reach, high: value + reach }) };
+}
 
 /** What is drawn of a prediction. */
 export interface ModelPoint {

@@ -1,16 +1,65 @@
 // The form: it shows the inputs, and tells what the user makes of them.
-import { html, render } from 'lit-html';
+import { html, nothing, render } from 'lit-html';
+import { repeat } from 'lit-html/directives/repeat.js';
 import { find, optionsOf } from '../drawing/dom';
-import { significant } from '../drawing/numbers';
+import { displayed, significant } from '../drawing/numbers';
 import { check, refusal } from '../inputs/check';
 import { type Choice, encounterOf, madeOf, meetingOf, withBody } from '../inputs/document';
-import { type Field, fieldsOf } from '../inputs/fields';
+import { type Field, fieldsOf, owner, valueOf, wordsOf } from '../inputs/fields';
 import { openFile, titleOf, withFile } from '../inputs/files';
 import { type Inputs, presetOf, presets, withAgainst, withKind } from '../inputs/inputs';
 import { type BodyKind, blockOf, blocks, bodyKinds, fileKind, kindNamed, materials, sizeOf } from '../inputs/kinds';
 import { description } from '../inputs/lines';
 import { barSpeed, placeOf, speedAt, steps, withoutSi, withSi } from '../inputs/units';
-import { showFields, showNumbers, textOf } from './fields_view';
+
+const homes = ['first-fields', 'second-fields', 'speed-field', 'motion-fields'] as const;
+
+function homeOf(field: Field): (typeof homes)[number] {
+  const place = owner(field);
+  if (place === undefined) return field === 'speed' ? 'speed-field' : 'motion-fields';
+  return place.second ? 'second-fields' : 'first-fields';
+}
+
+function inputOf(field: Field): HTMLInputElement {
+  return find(`field-${field}`, HTMLInputElement);
+}
+
+/** The text of a field that is shown. */
+export function textOf(field: Field): string {
+  return inputOf(field).value;
+}
+
+/** Show the fields of inputs with what is wrong: screen readers hear the unit and the problem with a field. */
+export function showFields(inputs: Inputs, problems: ReadonlyMap<Field, string>): void {
+  const { encounter } = inputs;
+  const rowOf = (field: Field): unknown => {
+    const { label, help, unit } = wordsOf(encounter, field);
+    const [id, problem] = [`field-${field}`, problems.get(field) ?? ''];
+    return html`
+      <div class="field" title=${help}>
+        <label for=${id}>${label}</label>
+        <input id=${id} type="text" inputmode="decimal" autocomplete="off" spellcheck="false" data-field=${field}
+          aria-describedby="${id}-unit ${id}-problem" aria-invalid=${problem === '' ? nothing : 'true'}
+          aria-label=${owner(field)?.second ? `${label}, of what it meets` : nothing} />
+        <span id="${id}-unit" class="unit">${unit}</span>
+        <p id="${id}-problem" class="problem" ?hidden=${problem === ''}>${problem}</p>
+      </div>`;
+  };
+  for (const home of homes) {
+    const fields = fieldsOf(inputs).filter((field) => homeOf(field) === home);
+    render(repeat(fields, (field) => field, rowOf), find(home, HTMLElement));
+  }
+}
+
+/** Bring the numbers up to date; one just being typed stays as it is. */
+export function showNumbers(inputs: Inputs): void {
+  for (const field of fieldsOf(inputs)) {
+    const value = valueOf(inputs, field);
+    const input = inputOf(field);
+    const typed = input.value.trim() !== '' && (Number(input.value) === value || input.value === displayed(value));
+    if (!typed) input.value = displayed(value);
+  }
+}
 
 /** What the form reports: inputs that hold, while a drag or typing goes on or at its end; or that some are wrong. */
 export interface Listener {

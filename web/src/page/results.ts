@@ -1,10 +1,10 @@
 // ε and what belongs to it, as text.
 import { html, nothing, render } from 'lit-html';
 import type { Encounter, Quantity, Restitution } from '../core/protocol';
-import { prefixFor, significant, withError } from '../drawing/numbers';
 import { find } from '../drawing/dom';
+import { prefixFor, significant, withError } from '../drawing/numbers';
 import { meetingOf, meetsBody } from '../inputs/document';
-import { gravity } from '../scene/hops';
+import { gravity } from '../scene/hop_film';
 
 export type Stage = 'first' | 'final';
 

@@ -1,14 +1,13 @@
 // One picture of a film: bodies, what it says about itself, and its legend.
-
 import { scaleLinear } from 'd3-scale';
 import { unitsOf } from '../core/local';
 import type { Frame } from '../core/protocol';
 import { prefixFor, withUnit, written } from '../drawing/numbers';
 import type { Theme } from '../drawing/theme';
 import { drawBodies } from './bodies';
-import { cssOf, pixelOf, shadeOf, type Quantity, type Shade } from './raster';
-import { phaseAt, timeInWords } from './phases';
-import type { Show } from './show';
+import { phaseAt, timeInWords } from './film';
+import { type Quantity, type Shade, cssOf, pixelOf, shadeOf } from './raster';
+import type { Show } from './scene';
 import { HEAD, layoutOf } from './view';
 
 const LEGEND = 46; // height, CSS pixels

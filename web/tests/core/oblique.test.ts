@@ -1,9 +1,9 @@
 // The collision rule of the page's core is that of the native command; the impact in time ends as the rule says.
 import { describe, expect, it } from 'vitest';
 import type { AnglePoint } from '../../src/core/protocol';
-import { motionOf } from '../../src/inputs/inputs';
 import { meetingOf, sizesOf } from '../../src/inputs/document';
-import { type Place, placesIn } from '../../src/scene/rigid';
+import { motionOf } from '../../src/inputs/inputs';
+import { type Place, placesIn } from '../../src/scene/oblique_film';
 import { obliqueCases } from '../unit/cases';
 import { hasCommand, oblique } from './native';
 import { ask } from './wasm';

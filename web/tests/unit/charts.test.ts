@@ -1,19 +1,18 @@
 import { describe, expect, it } from 'vitest';
 import { ordinateScale, speedScale } from '../../src/charts/curve_picture';
-import { barOf } from '../../src/charts/ordinate';
-import { energyOfWaves, energyScale, layoutModes } from '../../src/charts/mode_picture';
 import { frequencyInWords } from '../../src/charts/mode_bars';
+import { energyOfWaves, energyScale, layoutModes, swing } from '../../src/charts/mode_picture';
+import { barOf } from '../../src/charts/model_picture';
 import { cursorWords, panelsOf, summaryOf, thinned } from '../../src/charts/series';
-import type { Collision, CurvePoint, ModeEnergy } from '../../src/core/protocol';
 import { unitsOf } from '../../src/core/local';
-import { unitBody } from '../../src/inputs/document';
-import { defaults } from '../../src/inputs/inputs';
-import { like } from './cases';
-import { describe as describeTime, phaseAt, slowness } from '../../src/scene/phases';
-import { stressInWords } from '../../src/scene/picture';
+import type { Collision, CurvePoint, ModeEnergy } from '../../src/core/protocol';
 import { withUnit } from '../../src/drawing/numbers';
 import { labelOf } from '../../src/drawing/plot';
-import { swing } from '../../src/charts/mode_shape';
+import { unitBody } from '../../src/inputs/document';
+import { defaults } from '../../src/inputs/inputs';
+import { describe as describeTime, phaseAt, slowness } from '../../src/scene/film';
+import { stressInWords } from '../../src/scene/picture';
+import { like } from './cases';
 
 const time = Float64Array.from({ length: 1001 }, (_, k) => k / 125);
 const zero = new Float64Array(1001);

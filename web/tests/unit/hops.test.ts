@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { bounced, type flown, gravity, landing, meeting, roomOf, thrown } from '../../src/scene/hops';
+import { type flown, bounced, gravity, landing, meeting, roomOf, thrown } from '../../src/scene/hop_film';
 
 const room = roomOf(0.025, 5);
 const energy = ({ vx, vy, y }: ReturnType<typeof flown>): number => 0.5 * (vx ** 2 + vy ** 2) + gravity * y;

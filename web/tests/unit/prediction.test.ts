@@ -1,13 +1,12 @@
 // What the page shows of a prediction, and when it asks for it.
 import { describe, expect, it } from 'vitest';
-import { barOf } from '../../src/charts/ordinate';
-import { endsOfSpread, modelInWords, modelPoints } from '../../src/charts/model_picture';
+import { barOf, endsOfSpread, modelInWords, modelPoints } from '../../src/charts/model_picture';
 import type { Core, Encounter, Prediction } from '../../src/core/protocol';
 import { bandInWords } from '../../src/drawing/numbers';
 import { meetingOf } from '../../src/inputs/document';
 import { defaults, presets } from '../../src/inputs/inputs';
 import { influenceInWords, isPredicted, shareInWords, uncertaintiesInWords } from '../../src/page/prediction_view';
-import { createPredictions } from '../../src/page/predictions';
+import { createPredictions } from '../../src/page/background';
 import { cases, like, made } from './cases';
 
 const marble = presets[1]!.encounter;

@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import type { Frame } from '../../src/core/protocol';
-import { colorTable, contrast, pixelOf, shadeOf } from '../../src/scene/raster';
+import { faceOf, seamOf } from '../../src/scene/bodies';
 import { advance, coarseToFine, filmSpan, frameAt, insertFrame, LENGTH, REST } from '../../src/scene/film';
 import { evenGrid, gradedPlaces, gridFor } from '../../src/scene/grid';
-import { faceOf, seamOf } from '../../src/scene/bodies';
 import { bodyPart, edgeOf, meshOf } from '../../src/scene/parts';
-import { secondIsAtRest } from '../../src/scene/show';
+import { colorTable, contrast, pixelOf, shadeOf } from '../../src/scene/raster';
+import { secondIsAtRest } from '../../src/scene/scene';
 import { coveringStress, layoutOf, magnificationOf, stressUnit, unfoldedUpTo, viewOf } from '../../src/scene/view';
 import { diskOf, field } from './disk_frame';
 

@@ -2,7 +2,7 @@ import { describe, expect, it, vi } from 'vitest';
 import {
   type Asking, type Collision, type Core, CoreError, type Encounter, type Motion, type Restitution,
 } from '../../src/core/protocol';
-import { createCurves } from '../../src/page/curves';
+import { createCurves } from '../../src/page/background';
 import { createSession } from '../../src/page/session';
 import { defaults, motionOf } from '../../src/inputs/inputs';
 
