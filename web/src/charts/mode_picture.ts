@@ -2,7 +2,7 @@
 import * as Plot from '@observablehq/plot';
 import { max, min, range, sum } from 'd3-array';
 import type { Collision, ModeEnergy, Shape } from '../core/protocol';
-import { fitCanvas } from '../drawing/dom';
+import { fitCanvas } from '../drawing/canvas';
 import { type Drawn, type Scale, BESIDE, draw, drawLegend } from '../drawing/plot';
 import { type Theme, look, motionIsReduced } from '../drawing/theme';
 import { follow } from '../scene/bodies';

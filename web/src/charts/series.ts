@@ -27,46 +27,31 @@ function panel(label: string, unit: string, series: Series[]): Panel {
   return { label, unit, series, log: false, low: low < 0 ? low - PAD * span : 0, high: low + (1 + PAD) * span };
 }
 
+const seriesOf = <Its extends object>(its: Its, labels: { [Name in keyof Its]?: string }): Series[] =>
+  (Object.entries(labels) as [keyof Its, string][]).map(([name, label]) => ({ label, values: its[name] as Float64Array }));
+
 /** Force, velocity and energies. Of the energies those that are never there are left out. */
 export function panelsOf(collision: Collision | ObliqueCollision): Panel[] {
+  const [forces, velocities, energies] = 'across' in collision ? [
+    seriesOf(collision, { force: 'along the normal', friction: 'friction' }),
+    seriesOf(collision, { velocity: 'along the normal', tangential: 'along the surface' }),
+    seriesOf(collision, {
+      translation: 'motion along the normal', across: 'motion along the surface', rotation: 'rotation',
+      second_rotation: 'rotation of what it meets', elastic: 'in the elastic bodies', friction_loss: 'heat of friction',
+    }),
+  ] as const : [
+    seriesOf(collision, { force: 'force' }), seriesOf(collision, { velocity: 'velocity' }),
+    seriesOf(collision, {
+      translation: 'translation', vibration: 'vibration', stored: 'stored at the contact', dissipated: 'dissipated',
+      unresolved: 'elastic energy of the contact',
+    }),
+  ] as const;
   const { units } = collision;
-  if ('across' in collision) return obliquePanelsOf(collision);
-  const energies: Series[] = [
-    { label: 'translation', values: collision.translation },
-    { label: 'vibration', values: collision.vibration },
-    { label: 'stored at the contact', values: collision.stored },
-    { label: 'dissipated', values: collision.dissipated },
-    { label: 'elastic energy of the contact', values: collision.unresolved },
-  ];
   return [
-    panel('Force', units.force, [{ label: 'force', values: collision.force }]),
-    panel('Velocity', units.velocity, [{ label: 'velocity', values: collision.velocity }]),
-    energyPanel(energies),
+    panel('Force', units.force, forces), panel('Velocity', units.velocity, velocities),
+    panel('Share of the energy', '',
+      energies.filter(({ values }, n) => n === 0 || values.some((each) => Math.abs(each) > NOTHING))),
   ];
-}
-
-function obliquePanelsOf(collision: ObliqueCollision): Panel[] {
-  const { units, force, friction, velocity, tangential } = collision;
-  return [
-    panel('Force', units.force,
-      [{ label: 'along the normal', values: force }, { label: 'friction', values: friction }]),
-    panel('Velocity', units.velocity,
-      [{ label: 'along the normal', values: velocity }, { label: 'along the surface', values: tangential }]),
-    energyPanel([
-      { label: 'motion along the normal', values: collision.translation },
-      { label: 'motion along the surface', values: collision.across },
-      { label: 'rotation', values: collision.rotation },
-      { label: 'rotation of what it meets', values: collision.second_rotation },
-      { label: 'in the elastic bodies', values: collision.elastic },
-      { label: 'heat of friction', values: collision.friction_loss },
-    ]),
-  ];
-}
-
-/** Without those that are never there. */
-function energyPanel(energies: Series[]): Panel {
-  return panel('Share of the energy', '',
-    energies.filter(({ values }, n) => n === 0 || values.some((each) => Math.abs(each) > NOTHING)));
 }
 
 /** Draws a panel. `lowest`: it has the axis of time. `named`: its name stands above it. */

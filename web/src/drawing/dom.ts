@@ -59,16 +59,3 @@ export function onResize(host: HTMLElement, callback: () => void): () => void {
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', ask);
   return ask;
 }
-
-/** Gives a canvas a size in CSS pixels and as many of the device's as that is, at least `least` for one; returns how
- *  many that are. */
-export function fitCanvas(canvas: HTMLCanvasElement, width: number, height: number, least = 1): number {
-  const density = Math.min(3, Math.max(least, window.devicePixelRatio));
-  const wide = Math.max(1, Math.round(width * density));
-  const high = Math.max(1, Math.round(height * density));
-  if (canvas.width !== wide) canvas.width = wide;
-  if (canvas.height !== high) canvas.height = high;
-  canvas.style.width = `${width}px`;
-  canvas.style.height = `${height}px`;
-  return density;
-}

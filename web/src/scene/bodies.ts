@@ -3,6 +3,7 @@
 import { interpolate } from '../drawing/numbers';
 import type { Frame } from '../core/protocol';
 import type { Choice } from '../inputs/document';
+import { trace } from '../drawing/canvas';
 import type { Theme } from '../drawing/theme';
 import { paintMesh, type Pixels, type Shade } from './raster';
 import { edgeOf, meshOf, type Line, type Mesh, type Part } from './parts';
@@ -152,10 +153,5 @@ function drawWall({ context, layout, theme }: Drawing): void {
   }
   context.stroke();
   context.restore();
-  context.beginPath();
-  context.moveTo(x, top);
-  context.lineTo(x, height);
-  context.strokeStyle = theme.text;
-  context.lineWidth = 1.6;
-  context.stroke();
+  trace(context, [[x, top], [x, height]], theme.text);
 }

@@ -2,6 +2,7 @@
 
 import { bisectCenter, bisectRight, max } from 'd3-array';
 import type { ObliqueCollision } from '../core/protocol';
+import { box, write } from '../drawing/canvas';
 import { withUnit, written } from '../drawing/numbers';
 import { look, type Theme } from '../drawing/theme';
 
@@ -50,8 +51,7 @@ export function stripOf(collision: ObliqueCollision, theme: Theme): HTMLCanvasEl
     for (let row = 0; row < ROWS; ++row) {
       const grip = gripAt(collision, time, reach * (1 - (2 * (row + 0.5)) / ROWS));
       if (grip === OPEN) continue;
-      context.fillStyle = colorOf(grip, theme);
-      context.fillRect(column, row, 1, 1);
+      box(context, colorOf(grip, theme), column, row, 1, 1);
     }
   }
   return canvas;
@@ -63,38 +63,29 @@ const LEFT = 46;
 
 /** Draws the strip in a box, with its cursor and its legend. */
 export function drawStrip(
-  context: CanvasRenderingContext2D, box: Record<'x' | 'y' | 'width' | 'height', number>, collision: ObliqueCollision,
+  context: CanvasRenderingContext2D, place: Record<'x' | 'y' | 'width' | 'height', number>, collision: ObliqueCollision,
   strip: HTMLCanvasElement, time: number, theme: Theme,
 ): void {
   const { begin, end, units } = collision;
-  const [left, top, width, height] = [box.x + LEFT, box.y + HEAD, box.width - LEFT - 8, box.height - HEAD - FOOT];
+  const [left, top, width, height] = [place.x + LEFT, place.y + HEAD, place.width - LEFT - 8, place.height - HEAD - FOOT];
   context.imageSmoothingEnabled = false;
   context.drawImage(strip, left, top, width, height);
   context.strokeStyle = theme.muted;
   context.lineWidth = 1;
   context.strokeRect(left, top, width, height);
-  const write = (text: string, x: number, y: number, align: CanvasTextAlign, color: string): void => {
-    context.textAlign = align;
-    context.fillStyle = color;
-    context.fillText(text, x, y);
-  };
-  context.font = '11px system-ui, sans-serif';
   const reach = written(reachOf(collision), 2);
-  write(`${reach} R`, left - 5, top + 9, 'right', theme.muted);
-  write(`−${reach} R`, left - 5, top + height, 'right', theme.muted);
-  write('0', left - 5, top + height / 2 + 4, 'right', theme.muted);
-  write('0', left, top + height + 14, 'left', theme.muted);
-  write(withUnit(end - begin, units.time), left + width, top + height + 14, 'right', theme.muted);
-  write('place in the contact, against time', left, box.y + 16, 'left', theme.text);
-  context.font = '12px system-ui, sans-serif';
+  for (const [words, x, y, align] of [
+    [`${reach} R`, left - 5, top + 9, 'right'], [`−${reach} R`, left - 5, top + height, 'right'],
+    ['0', left - 5, top + height / 2 + 4, 'right'], ['0', left, top + height + 14, 'left'],
+    [withUnit(end - begin, units.time), left + width, top + height + 14, 'right'],
+  ] as const) write(context, words, x, y, theme.muted, align, 11);
+  write(context, 'place in the contact, against time', left, place.y + 16, theme.text, 'left', 11);
   let x = left;
   for (const [grip, words] of GRIPS) {
-    context.fillStyle = colorOf(grip, theme);
-    context.fillRect(x, top + height + 22, 10, 10);
-    write(words, x + 14, top + height + 32, 'left', theme.text);
+    box(context, colorOf(grip, theme), x, top + height + 22, 10, 10);
+    write(context, words, x + 14, top + height + 32, theme.text, 'left', 12);
     x += 26 + context.measureText(words).width;
   }
   if (time < begin || time > end) return;
-  context.fillStyle = theme.text;
-  context.fillRect(left + (width * (time - begin)) / (end - begin) - 1, top - 3, 2, height + 6);
+  box(context, theme.text, left + (width * (time - begin)) / (end - begin) - 1, top - 3, 2, height + 6);
 }

@@ -2,6 +2,7 @@
 // next, and its film. x to the right, y up, spin counterclockwise; SI.
 import { bisector, extent } from 'd3-array';
 import type { Core, Encounter, Motion } from '../core/protocol';
+import { box, cleared, write } from '../drawing/canvas';
 import { messageOf } from '../drawing/dom';
 import { withUnit, written } from '../drawing/numbers';
 import type { Theme } from '../drawing/theme';
@@ -153,10 +154,7 @@ function drawHops(
   canvas: HTMLCanvasElement, width: number, density: number,
   { impacts, now, ways, room }: { impacts: Impact[]; now: Flight; ways: Flight[][]; room: Room }, theme: Theme,
 ): void {
-  const context = canvas.getContext('2d')!;
-  context.setTransform(density, 0, 0, density, 0, 0);
-  context.fillStyle = theme.background;
-  context.fillRect(0, 0, width, HEIGHT);
+  const context = cleared(canvas, density, width, HEIGHT, theme.background);
   const [left = 0, right = 0] = extent(ways.flat(), ({ x }) => x);
   const inner = HEIGHT - 2 * GROUND;
   const scale = Math.min(inner / room.table, (width - 24) / (right - left + 2 * room.radius));
@@ -164,22 +162,16 @@ function drawHops(
   const place = ({ x, y }: Flight): [number, number] =>
     [width / 2 + scale * (x - (left + right) / 2), floor - scale * y];
   const top = floor - scale * room.table;
-  context.fillStyle = theme.panel;
-  context.fillRect(0, floor, width, GROUND);
-  context.fillRect(0, top - GROUND, width, GROUND);
-  context.fillStyle = theme.text;
-  context.fillRect(0, floor, width, 1.6);
-  context.fillRect(0, top - 1.6, width, 1.6);
-  context.font = '12px system-ui, sans-serif';
-  context.textAlign = 'center';
+  for (const [y, edge] of [[floor, floor], [top - GROUND, top - 1.6]] as const) {
+    box(context, theme.panel, 0, y, width, GROUND);
+    box(context, theme.text, 0, edge, width, 1.6);
+  }
   impacts.forEach(({ flight }, n) => {
     const [x, y] = place(flight);
-    context.fillText(String(n + 1), x, y > HEIGHT / 2 ? floor + 16 : top - 7);
+    write(context, String(n + 1), x, y > HEIGHT / 2 ? floor + 16 : top - 7, theme.text, 'center', 12);
   });
-  context.fillStyle = theme.muted;
-  context.textAlign = 'left';
   const [x, y] = place(ways[0]![0]!);
-  context.fillText('from the hand', x + 2, y - 8);
+  write(context, 'from the hand', x + 2, y - 8, theme.muted, 'left', 12);
   for (const way of ways) drawWay(context, way.map(place), theme);
   const radius = Math.max(5, scale * room.radius);
   drawBody(context, place(now), radius, now.angle, theme);

@@ -1,6 +1,7 @@
 // The film of an oblique collision: rigid bodies on their ways in and out, and what sticks and slips where they touch.
 import { extent, max } from 'd3-array';
 import type { Encounter, Motion, ObliqueCollision } from '../core/protocol';
+import { box, cleared, trace, write } from '../drawing/canvas';
 import { interpolate, roundDown, significant, written } from '../drawing/numbers';
 import type { Theme } from '../drawing/theme';
 import { sizesOf } from '../inputs/document';
@@ -90,20 +91,12 @@ export function filmOf(encounter: Encounter, motion: Motion, collision: ObliqueC
     note: (seconds) => slowness(to - from, units.time, seconds) + drawn,
     height: (width) => (isWide(width) ? BODIES : ABOVE + STRIP),
     draw(canvas, width, density, time, theme): void {
-      const context = canvas.getContext('2d')!;
-      context.setTransform(density, 0, 0, density, 0, 0);
-      context.fillStyle = theme.background;
-      context.fillRect(0, 0, width, isWide(width) ? BODIES : ABOVE + STRIP);
+      const context = cleared(canvas, density, width, isWide(width) ? BODIES : ABOVE + STRIP, theme.background);
       const share = isWide(width) ? Math.round(0.56 * width) : width;
       const height = isWide(width) ? BODIES : ABOVE;
       drawWays(context, { width: share, height }, radii, places, [from, time, to], theme);
-      context.font = '13px system-ui, sans-serif';
-      context.fillStyle = theme.text;
-      context.textAlign = 'left';
-      context.fillText(`t = ${timeInWords(collision, time)}, ${phaseAt(collision, time)}`, 4, 16);
-      context.textAlign = 'right';
-      context.fillStyle = theme.muted;
-      context.fillText(words, share - 4, 16);
+      write(context, `t = ${timeInWords(collision, time)}, ${phaseAt(collision, time)}`, 4, 16, theme.text);
+      write(context, words, share - 4, 16, theme.muted, 'right');
       if (strip?.dark !== theme.dark) strip = { dark: theme.dark, image: stripOf(collision, theme) };
       drawStrip(context, isWide(width) ? { x: share + 8, y: 0, width: width - share - 8, height: BODIES }
         : { x: 0, y: ABOVE, width, height: STRIP }, collision, strip.image, time, theme);
@@ -133,19 +126,10 @@ function drawWays(
   context.rect(0, HEAD - 4, size.width, size.height - HEAD - 12);
   context.clip();
   if (wall) {
-    context.fillStyle = theme.panel;
-    context.fillRect(origin.x, 0, scale * GROUND, size.height);
-    context.fillStyle = theme.text;
-    context.fillRect(origin.x - 0.8, 0, 1.6, size.height);
+    box(context, theme.panel, origin.x, 0, scale * GROUND, size.height);
+    box(context, theme.text, origin.x - 0.8, 0, 1.6, size.height);
   }
-  context.setLineDash([2, 4]); // the normal
-  context.beginPath();
-  context.moveTo(0, origin.y);
-  context.lineTo(size.width, origin.y);
-  context.strokeStyle = theme.muted;
-  context.lineWidth = 1;
-  context.stroke();
-  context.setLineDash([]);
+  trace(context, [[0, origin.y], [size.width, origin.y]], theme.muted, 1, [2, 4]); // the normal
   places(time).forEach((place, n) => {
     drawBody(context, at(place), scale * radii[n]!, place.angle, theme);
     drawWay(context, instants.map((each) => at(each[n]!)), theme);
@@ -187,13 +171,7 @@ export function drawWay(
   if (way.every(([a, b]) => Math.hypot(a - begin[0], b - begin[1]) < 2)) return;
   const [fromX, fromY] = way.at(-9) ?? begin;
   const course = Math.atan2(y - fromY, x - fromX);
-  context.beginPath();
-  way.forEach(([a, b], k) => (k === 0 ? context.moveTo(a, b) : context.lineTo(a, b)));
-  for (const side of [-0.45, 0.45]) {
-    context.moveTo(x, y);
-    context.lineTo(x - BARB * Math.cos(course + side), y - BARB * Math.sin(course + side));
-  }
-  context.strokeStyle = color;
-  context.lineWidth = 1.6;
-  context.stroke();
+  const [one, other] = [-0.45, 0.45].map((side): [number, number] =>
+    [x - BARB * Math.cos(course + side), y - BARB * Math.sin(course + side)]) as [[number, number], [number, number]];
+  trace(context, [...way, one, [x, y], other], color);
 }

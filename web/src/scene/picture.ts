@@ -2,6 +2,7 @@
 import { scaleLinear } from 'd3-scale';
 import { unitsOf } from '../core/local';
 import type { Frame } from '../core/protocol';
+import { box, cleared, write } from '../drawing/canvas';
 import { prefixFor, withUnit, written } from '../drawing/numbers';
 import type { Theme } from '../drawing/theme';
 import { drawBodies } from './bodies';
@@ -23,14 +24,11 @@ export function drawPicture(
   canvas: HTMLCanvasElement, width: number, density: number, show: Show, frame: Frame, time: number,
   quantity: Quantity, theme: Theme,
 ): void {
-  const context = canvas.getContext('2d')!;
   const layout = layoutOf(show.view, width, density);
   const rods = show.meeting.kind === 'rod';
   const shown = rods ? 'vonMises' : quantity; // bands tell little of a stress that is the same across a rod
   const shade = shadeOf(shown, show.units[shown], theme.dark);
-  context.setTransform(density, 0, 0, density, 0, 0);
-  context.fillStyle = theme.background;
-  context.fillRect(0, 0, width, layout.height + LEGEND);
+  const context = cleared(canvas, density, width, layout.height + LEGEND, theme.background);
   context.save();
   context.beginPath();
   context.rect(0, HEAD - 4, width, layout.height - HEAD + 4);
@@ -38,14 +36,10 @@ export function drawPicture(
   const to = { context, layout, density, width, theme, shade };
   drawBodies(to, frame, show.parts, show.magnification, show.meeting.against);
   context.restore();
-  context.fillStyle = theme.text;
-  context.font = '13px system-ui, sans-serif';
-  context.textAlign = 'left';
-  context.fillText(`t = ${timeInWords(show.collision, time)}, ${phaseAt(show.collision, time)}`, 4, 16);
-  context.textAlign = 'right';
-  context.fillStyle = theme.muted;
+  write(context, `t = ${timeInWords(show.collision, time)}, ${phaseAt(show.collision, time)}`, 4, 16, theme.text);
   const { magnification } = show;
-  context.fillText(magnification === 1 ? 'true displacements' : `displacements × ${magnification}`, width - 4, 16);
+  const words = magnification === 1 ? 'true displacements' : `displacements × ${magnification}`;
+  write(context, words, width - 4, 16, theme.muted, 'right');
   drawLegend(context, 8, layout.height + 2, width - 16, theme, shade, unitsOf(show.encounter).modulus,
     rods ? 'stress |σ|' : 'von Mises stress');
 }
@@ -61,22 +55,19 @@ function drawLegend(
   const fringes = shade.quantity === 'fringes';
   const end = fringes ? ORDERS * shade.unit : shade.unit;
   for (let k = 0; k < wide; ++k) {
-    context.fillStyle = cssOf(pixelOf(shade, (end * (k + 0.5)) / wide));
-    context.fillRect(start + k, top, 1.5, 10);
+    box(context, cssOf(pixelOf(shade, (end * (k + 0.5)) / wide)), start + k, top, 1.5, 10);
   }
   context.strokeStyle = theme.muted;
   context.lineWidth = 1;
   context.strokeRect(start - 0.5, top - 0.5, wide + 1, 11);
-  context.fillStyle = theme.muted;
-  context.font = '11px system-ui, sans-serif';
-  context.textAlign = 'center';
   const { size, unit } = prefixFor(end * (modulus ?? 1), modulus === undefined ? 'E' : 'Pa');
   const last = fringes ? ORDERS : (end * (modulus ?? 1)) / size;
   const scale = scaleLinear([0, last], [start, start + wide]);
-  for (const tick of scale.ticks(5)) context.fillText(written(tick), scale(tick), top + 23);
-  context.fillStyle = theme.text;
+  const say = (text: string, x: number, y: number, color: string): void =>
+    write(context, text, x, y, color, 'center', 11);
+  for (const tick of scale.ticks(5)) say(written(tick), scale(tick), top + 23, theme.muted);
   const every = `fringe order, one every σ₁ − σ₂ = ${stressInWords(shade.unit, modulus)}`;
-  context.fillText(fringes ? every : `${name} / ${unit}`, start + wide / 2, top + 39);
+  say(fringes ? every : `${name} / ${unit}`, start + wide / 2, top + 39, theme.text);
 }
 
 /** A stress in words: in SI with a prefix, else in the modulus of the first body. */

@@ -1,7 +1,8 @@
 // Plays a film: its picture, its controls, and its time.
 
 import { html, nothing, render, type TemplateResult } from 'lit-html';
-import { choice, fitCanvas, keyed, onResize } from '../drawing/dom';
+import { fitCanvas } from '../drawing/canvas';
+import { choice, keyed, onResize } from '../drawing/dom';
 import type { Picture } from '../drawing/pictures';
 import { motionIsReduced, readTheme, type Theme } from '../drawing/theme';
 import { advance, LENGTH, type Clock } from './film';

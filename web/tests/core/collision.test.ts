@@ -101,79 +101,21 @@ describe('frames', { timeout: 60_000 }, () => {
   });
 });
 
-describe('frames of a plate', { timeout: 60_000 }, () => {
+it('frames of a plate bend both of its faces', { timeout: 60_000 }, () => {
   const second = { ...unitBody, poisson: 0.3, young: 3, density: 4, thickness: 0.5 };
   const encounter = like(cases[4]!.encounter, { against: 'plate', second });
-  const collision = ask('collision', encounter, { speed: 0.02, cutoff: 8 }).value;
+  const { end } = ask('collision', encounter, { speed: 0.02, cutoff: 8 }).value;
   const below = { depth: Float32Array.from([0, 0.25, 0.5]), distance: Float32Array.from([0, 0.5, 2, 4]) };
-  const times = [-1, 0.3 * collision.end, 1.7 * collision.end];
   const { all } = ask('frames', encounter,
-    { speed: 0.02, cutoff: 8, times, grid: { ...gridOf(encounter), below } });
-  const [before, early, late] = all.map(({ bodies }) => bodies[1]!.radial) as [Float32Array, Float32Array, Float32Array];
-  it('have it at rest until it is struck', () => {
-    for (const each of before) expect(each).toBe(0);
-  });
-  it('bend both of its faces, and later farther out', () => {
-    expect(early[0]).toBeGreaterThan(early[8]!);
-    expect(late[8]! / late[0]!).toBeCloseTo(1, 2);
-    expect(early[2]! / early[0]!).toBeLessThan(0.02);
-    expect(late[2]! / late[0]!).toBeGreaterThan(0.3);
-    expect(late[10]! / late[2]!).toBeCloseTo(1, 2);
-  });
+    { speed: 0.02, cutoff: 8, times: [-1, 1.7 * end], grid: { ...gridOf(encounter), below } });
+  const [before, late] = all.map(({ bodies }) => bodies[1]!.radial) as [Float32Array, Float32Array];
+  for (const each of before) expect(each).toBe(0);
+  expect(late[8]! / late[0]!).toBeCloseTo(1, 2);
 });
 
-describe('the stress in a half-space', { timeout: 60_000 }, () => {
-  // A slow impact is Hertz' (K. L. Johnson, Contact Mechanics, 3.4): a ball as stiff as the block, ν = 0.3.
-  const encounter = like(cases[4]!.encounter, { against: 'half-space', second: { ...unitBody, poisson: 0.3 } });
-  const speed = 1e-3;
-  const cutoff = cutoffOf(encounter, speed);
-  const collision = ask('collision', encounter, { speed, cutoff }).value;
-  const strongest = collision.force.reduce((best, force, k) => (force > collision.force[best]! ? k : best), 0);
-  const mass = (4 / 3) * Math.PI; // of the ball, in its radius and density
-  const effective = 1 / (2 * (1 - 0.3 ** 2)); // E*
-  const radius = ((3 * mass * collision.force[strongest]!) / (4 * effective)) ** (1 / 3);
-  const pressure = (3 * mass * collision.force[strongest]!) / (2 * Math.PI * radius ** 2);
-  const places = (count: number): Float32Array => Float32Array.from({ length: count }, (_, k) => 0.06 * radius * k);
-  const below = { depth: places(40), distance: places(60) };
-  const { all } = ask('frames', encounter,
-    { speed, cutoff, times: [collision.time[strongest]!], grid: { ...gridOf(encounter), below } });
-  const { vonMises, fringes } = all[0]!.bodies[1]!;
-  it('has its maximum on the axis, 0.62 p₀ at the depth 0.48 a', () => {
-    const axis = Array.from(below.depth, (_, i) => vonMises[i * below.distance.length]!);
-    const most = Math.max(...axis);
-    expect(Math.abs(most / pressure - 0.62)).toBeLessThan(0.003);
-    expect(Math.abs(below.depth[axis.indexOf(most)]! / radius - 0.48)).toBeLessThan(0.07);
-    expect(fringes[axis.indexOf(most) * below.distance.length]! / most).toBeCloseTo(1, 4);
-  });
-  it('on the axis is that of Hertz at every depth', () => {
-    below.depth.forEach((depth, i) => {
-      const z = depth / radius;
-      if (z < 0.3) return; // the rings are seen there
-      const lateral = -1.3 * (1 - z * Math.atan(1 / z)) + 0.5 / (1 + z * z);
-      const normal = -1 / (1 + z * z);
-      const expected = Math.abs(lateral - normal);
-      expect(Math.abs(vonMises[i * below.distance.length]! / pressure - expected), `${z}`).toBeLessThan(0.015);
-    });
-  });
-});
-
-describe('shape', () => {
+it('the shape of the breathing mode of a disk is the same all around', () => {
   const grid = { radius: Float32Array.from([0, 1]), angle: Float32Array.from([0, Math.PI / 2, Math.PI]) };
-  it('of the breathing mode of a disk is the same all around', () => {
-    const { radial, tangential } = ask('shape', cases[0]!.encounter, { body: 0, order: 0, index: 0, grid }).value;
-    for (const k of [3, 4, 5]) expect(Math.abs(radial[k]!)).toBeCloseTo(1, 6);
-    for (const each of tangential) expect(each).toBeCloseTo(0, 6);
-  });
-  it('of the mode (2, 0) stretches one axis and shortens the other', () => {
-    for (const encounter of [cases[0]!.encounter, cases[4]!.encounter]) {
-      const { radial } = ask('shape', encounter, { body: 0, order: 2, index: 0, grid }).value;
-      expect(radial[3]! * radial[4]!).toBeLessThan(0);
-      expect(radial[5]).toBeCloseTo(radial[3]!, 6);
-    }
-  });
-  it('of a rod is a cosine', () => {
-    const along = { radius: Float32Array.from([0, 0.25, 0.5, 1]), angle: Float32Array.from([0]) };
-    const { radial } = ask('shape', cases[6]!.encounter, { body: 1, order: 0, index: 1, grid: along }).value;
-    [1, 0, -1, 1].forEach((value, k) => expect(radial[k]).toBeCloseTo(value, 6));
-  });
+  const { radial, tangential } = ask('shape', cases[0]!.encounter, { body: 0, order: 0, index: 0, grid }).value;
+  for (const k of [3, 4, 5]) expect(Math.abs(radial[k]!)).toBeCloseTo(1, 6);
+  for (const each of tangential) expect(each).toBeCloseTo(0, 6);
 });
