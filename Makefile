@@ -1,6 +1,6 @@
 # The short way in. Everything here can also be done with the CMake presets (cmake --list-presets).
 .DEFAULT_GOAL := help
-.PHONY: help setup build python modal-tools demo web web-serve wheel npm static deb test test-fast test-friends test-long coverage systems bench bench-compare \
+.PHONY: help setup build python modal-tools demo web web-serve wheel npm static deb try test test-fast test-friends test-long coverage systems bench bench-compare \
 	validate results docs paper paper-quick format lint install uninstall clean
 
 JOBS ?= $(shell nproc)
@@ -49,6 +49,9 @@ npm: ## the core in WebAssembly for JavaScript and TypeScript, as an npm package
 static: build ## the command without shared libraries, to be copied anywhere: build/static/stoss
 	@cmake --build --preset release -j $(JOBS) --target stoss_static
 	@install -D build/release/static/stoss build/static/stoss && ls -l build/static/stoss
+
+try: ## build what has changed and run the tests of a source's room: make try FILE=src/contact/contact.cpp
+	@scripts/try.sh "$(FILE)" $(JOBS)
 
 test: ## what must hold: tests of every face, what handles memory under sanitizers, downstream projects, format
 	@scripts/test.sh whole $(JOBS)

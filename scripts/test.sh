@@ -59,7 +59,7 @@ cmake --build --preset release -j "$jobs"
 step "build: clang++ with AddressSanitizer and UndefinedBehaviorSanitizer"
 # What handles memory: the C interface, documents, the command; before a release all.
 if [ "$tier" = long ]; then
-  configure asan -DSTOSS_TEST_ROOMS=
+  configure asan -DSTOSS_TEST_ROOMS= -DSTOSS_ARCHIVE= "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1"
   cmake --build --preset asan -j "$jobs" --target stoss_command stoss_tests stoss_command_tests stoss_fuzz
 else
   configure asan

@@ -127,7 +127,7 @@ TEST(FiniteElements, OfADiskReachTheTolerancesOfTheBench) {
   }
 }
 
-TEST(FiniteElements, OfABallReachTheTolerancesOfTheBench) {
+TEST(FiniteElements, OfABallReachTheTolerancesOfTheBench_long) {
   for (const ElementCase& task : sphere_element_cases) {
     expect_within_tolerance(task, [&task](const MeshSize& mesh) {
       FiniteElements body = ball(poisson_of_sphere, mesh);
@@ -142,7 +142,7 @@ double on_half_space(const MeshSize& mesh, const BlockSize& size, double at) {
   return collide(body, below, at).lost_fraction;
 }
 
-TEST(FiniteElements, OfABallOnAHalfSpaceReachTheTolerancesOfTheBench) {
+TEST(FiniteElements, OfABallOnAHalfSpaceReachTheTolerancesOfTheBench_long) {
   for (const BlockElementCase& task : block_element_cases) {
     expect_within_tolerance(task,
                             [&task](const MeshSize& mesh) { return on_half_space(mesh, task.block, task.at.speed); });
@@ -150,7 +150,7 @@ TEST(FiniteElements, OfABallOnAHalfSpaceReachTheTolerancesOfTheBench) {
 }
 
 /// Waves that its faces send back would come to the contact too late.
-TEST(FiniteElements, ABlockIsAsGoodAsALargerOne) {
+TEST(FiniteElements, ABlockIsAsGoodAsALargerOne_long) {
   for (const BlockElementCase& task : block_element_cases) {
     BlockSize larger = task.block;
     larger.extent *= 1.5;

@@ -201,7 +201,7 @@ Pushed push(double poisson, double strength, double depth, int elements, double 
 }
 
 /// F = (4/3) E* √R δ^{3/2}, a² = Rδ, W = (2/5) F δ, p₀ = 2 E* a/πR.
-TEST(YieldIndentation, IsHertzianWithoutYield) {
+TEST(YieldIndentation, IsHertzianWithoutYield_long) {
   for (const double poisson : {0.2, 0.3, 0.45}) {
     const Pushed pushed = push(poisson, never, 1.0, 20, 40.0);
     EXPECT_NEAR(pushed.reading.force, 4.0 / 3.0, 0.004 * 4.0 / 3.0) << poisson;
@@ -212,13 +212,13 @@ TEST(YieldIndentation, IsHertzianWithoutYield) {
 }
 
 /// The far field is joined to a point load, so that the size of the domain hardly matters.
-TEST(YieldIndentation, DoesNotDependOnItsDomain) {
+TEST(YieldIndentation, DoesNotDependOnItsDomain_long) {
   const double small = push(0.3, never, 1.0, 16, 6.0).reading.force,
                large = push(0.3, never, 1.0, 16, 40.0).reading.force;
   EXPECT_NEAR(small / large, 1.0, 2e-3);
 }
 
-TEST(YieldIndentation, BeginsToYieldAtTheOnset) {
+TEST(YieldIndentation, BeginsToYieldAtTheOnset_long) {
   EXPECT_NEAR(onset_pressure(0.3), 1.613, 5e-4);
   EXPECT_NEAR(onset_pressure(0.5), 1.88, 0.01);
   const double strength = 2.0 / std::numbers::pi / onset_pressure(0.3);
