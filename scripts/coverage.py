@@ -1,4 +1,4 @@
-"""What gcov counted, by folder: lines of src/ and cli/ that ran, and those that could have."""
+"""What gcov counted, by folder: lines of src/ and cli/ that ran, and those that could have. It fails below a floor."""
 
 import json
 import sys
@@ -26,3 +26,7 @@ for path, lines in ran.items():
 print(f"{'folder':32} {'lines ran':>10} {'of':>6} {'share':>8}")
 for folder, (hit, of) in sorted(folders.items()):
     print(f"{folder:32} {hit:10} {of:6} {hit / of:8.2%}")
+for part, floor in (("src", 0.98), ("cli", 0.96)):
+    hit, of = folders[f"{part}, all"]
+    if hit < floor * of:
+        sys.exit(f"coverage: {part}: got {hit / of:.2%}, allowed {floor:.0%} or more")

@@ -85,7 +85,7 @@ def test_programs_are_hardened_and_look_for_libraries_where_debian_has_them(unpa
     library = only(unpacked.glob("usr/lib/*/libstoss.so.*.*"))
     command = unpacked / "usr/bin/stoss"
     module = only(unpacked.glob("usr/lib/python3/dist-packages/stoss/_core.*.so"))
-    assert re.search(r"SONAME.*\[libstoss\.so\.1\]", run("readelf", "--dynamic", str(library)))
+    assert re.search(r"SONAME.*\[libstoss\.so\.2\]", run("readelf", "--dynamic", str(library)))
     for file in (library, command, module):
         dynamic = run("readelf", "--dynamic", "--wide", str(file))
         headers = run("readelf", "--program-headers", "--wide", str(file))
