@@ -1,3 +1,4 @@
+#include <array>
 #include <chrono>
 
 #include "stoss/bodies/disk/modes.hpp"
@@ -46,12 +47,14 @@ void translate(std::exception_ptr error) {
   }
 }
 
-/// Name, dimension, whether there is an error, and the sentence of each.
+/// Name, dimension, whether there is an error, the sentence and the type of the values of each.
 template <typename Result>
 py::tuple listed(const Quantities<Result>& quantities) {
+  constexpr std::array<const char*, 4> types{"float", "int", "bool", "str"};  // in the order of Value
   py::list list;
   for (const auto& [name, dimension, help, value, error] : quantities) {
-    list.append(py::make_tuple(name, dimension_name(dimension), static_cast<bool>(error), help));
+    list.append(py::make_tuple(name, dimension_name(dimension), static_cast<bool>(error), help,
+                               types.at(value(Result{}).index())));
   }
   return py::tuple(list);
 }

@@ -78,9 +78,8 @@ from stoss.results._function import RestitutionFunction, restitution_function
 from stoss.results._impact import Impact, impact
 from stoss.results._modes import Modes, modes
 from stoss.results._oblique import ObliqueRestitution, oblique
-from stoss.results._oblique_impact import ObliqueImpact, oblique_impact
+from stoss.results._oblique_impact import ObliqueImpact, ObliqueTrajectory, oblique_impact
 from stoss.results._oblique_ledger import ObliqueLedger
-from stoss.results._oblique_trajectory import ObliqueTrajectory
 from stoss.results._pair_table import PairTable, pair_table
 from stoss.results._predict import predict
 from stoss.results._prediction import Influence, Prediction

@@ -8,7 +8,7 @@ _Grid: TypeAlias = tuple[_Array, _Array, _Array, _Array, _Array, _Array]
 _Table: TypeAlias = NDArray[Any]
 
 version: str
-quantities: dict[str, tuple[tuple[str, str, bool, str], ...]]
+quantities: dict[str, tuple[tuple[str, str, bool, str, str], ...]]
 oscillation: np.dtype[Any]
 mean_energy: np.dtype[Any]
 rayleigh_row: np.dtype[Any]

@@ -9,20 +9,32 @@ import base64
 import os
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING, Sequence
+from typing import NamedTuple, Sequence
 
 import stoss
 
 from gerl_zippelius_1999 import words
-from gerl_zippelius_1999.common import NONE
-
-if TYPE_CHECKING:
-    from gerl_zippelius_1999.runner import Outcome
+from gerl_zippelius_1999.common import NONE, Row
 
 HEADINGS = ("Quantity", "Paper", "Protocol", "Converged")
 ERRATUM = ("", "Paper", "Should be", "Section of the errata")
 PIXELS = 134  # for an inch of a figure: larger than in print, where it would be 96
 REPOSITORY = Path(__file__).resolve().parents[2]
+
+
+class Outcome(NamedTuple):
+    """What became of an item."""
+
+    title: str
+    caption: str
+    alt: str
+    rows: list[Row]
+    meaning: str
+    width: float  # of the figure, inches
+    tables: list[str]
+    computed: bool  # now, or before
+    failure: str  # empty if there is none
+
 
 STYLE = """
 :root { color-scheme: light; --ink: #1b1f24; --faint: #59636e; --line: #d4d9df; --accent: #00588a; --ground: #f5f7f9;

@@ -28,14 +28,15 @@ import traceback
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import ForkServerProcess
 from pathlib import Path
-from typing import NamedTuple, cast
+from typing import cast
 
 import matplotlib
 import stoss
 from matplotlib.figure import Figure
 
 from gerl_zippelius_1999 import report, store
-from gerl_zippelius_1999.common import PRINT, Row
+from gerl_zippelius_1999.common import PRINT
+from gerl_zippelius_1999.report import Outcome
 
 # In the order in which the paper comes to them.
 ITEMS = (
@@ -48,20 +49,6 @@ PROCESSES = 2
 
 # What matplotlib would else fill with a date and with random names.
 REPEATABLE = {"svg.hashsalt": "stoss", "svg.fonttype": "path"}
-
-
-class Outcome(NamedTuple):
-    """What became of an item."""
-
-    title: str
-    caption: str
-    alt: str
-    rows: list[Row]
-    meaning: str
-    width: float  # of the figure, inches
-    tables: list[str]
-    computed: bool  # now, or before
-    failure: str  # empty if there is none
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -4,23 +4,37 @@ from __future__ import annotations
 
 import json
 import os
-from typing import TYPE_CHECKING, Any, Mapping
+from typing import Any, Mapping, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stoss import _core
 from stoss.export import _formats
 from stoss.export._files import whole_file
 from stoss.results._si import si_name
 
-if TYPE_CHECKING:
-    from stoss.sweeps._values import Sweep
+
+class Swept(Protocol):
+    """What a sweep has for a file."""
+
+    @property
+    def grid(self) -> Any: ...
+    @property
+    def computed(self) -> NDArray[np.bool_]: ...
+    @property
+    def versions(self) -> tuple[str, ...]: ...
+    def _labels(self) -> dict[str, Any]: ...
+    def _of_bodies(self) -> dict[str, Any]: ...
+    def _derived(self) -> dict[str, Any]: ...
+    def _unit(self, name: str) -> str: ...
+
 
 SAID = {"speed": "speed of approach", "temperature": "mean energy of each mode over the translational one"}
 """What axes are; the others are what they are called."""
 
 
-def write(sweep: Sweep, path: str) -> None:
+def write(sweep: Swept, path: str) -> None:
     """Make the file in memory, where no write fails that HDF5 does not survive; then write it whole."""
     try:
         import netCDF4
@@ -71,7 +85,7 @@ def _write(file: Any, path: str) -> None:
         os.fsync(stream.fileno())
 
 
-def _describe(file: Any, sweep: Sweep) -> None:
+def _describe(file: Any, sweep: Swept) -> None:
     missing = sweep.computed.size - int(np.count_nonzero(sweep.computed))
     file.setncatts(
         {
@@ -89,7 +103,7 @@ def _describe(file: Any, sweep: Sweep) -> None:
     )
 
 
-def _coordinates(file: Any, sweep: Sweep) -> None:
+def _coordinates(file: Any, sweep: Swept) -> None:
     for name, size in zip(sweep.grid.dimensions, sweep.grid.shape):
         file.createDimension(name, size)
     for name, values in sweep.grid.axes.items():
@@ -107,7 +121,7 @@ def _coordinates(file: Any, sweep: Sweep) -> None:
         variable[:] = values
 
 
-def _results(file: Any, sweep: Sweep) -> None:
+def _results(file: Any, sweep: Swept) -> None:
     import netCDF4
 
     quantities = sweep._derived()

@@ -16,8 +16,9 @@ from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import BODIES
 from stoss.plot import _ground, _style
+from stoss.results import _replay
+from stoss.results._computed_impact import ComputedImpact
 from stoss.results._field import Field
-from stoss.results._impact import Impact
 
 CIRCLES, SPOKES = 6, 24
 
@@ -73,13 +74,13 @@ def instants(field: Field, frame: int | None) -> list[Instant]:
     now = instant(field, frame)
     if not isinstance(field.impact.against, BODIES):
         return [now]
-    other = field.impact.field(time=now.time, radius=field.radius, angle=field.angle, of=1 - field.of)
+    other = _replay.field(field.impact, time=now.time, radius=field.radius, angle=field.angle, of=1 - field.of)
     return sorted((now, instant(other, None)), key=lambda each: each.field.of)
 
 
-def all_fields(impact: Impact, times: Array, **points: Array) -> list[Field]:
+def all_fields(impact: ComputedImpact, times: Array, **points: Array) -> list[Field]:
     """The field of each body at these times."""
-    return [impact.field(time=times, of=of, **points) for of in range(1 + isinstance(impact.against, BODIES))]
+    return [_replay.field(impact, time=times, of=of, **points) for of in range(1 + isinstance(impact.against, BODIES))]
 
 
 @documented

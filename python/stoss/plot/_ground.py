@@ -15,7 +15,7 @@ from stoss.bodies._walls import UNBOUNDED
 from stoss.plot import _style
 from stoss.results import _replay
 from stoss.results._field import Field
-from stoss.results._impact import Impact
+from stoss.results._computed_impact import ComputedImpact
 from stoss.results._replay import Surface as Surface
 
 Array = NDArray[np.float64]
@@ -28,12 +28,12 @@ MARGIN = 0.05  # below a plate, R
 LOOK: dict[str, Any] = {"facecolor": "0.8", "edgecolor": "none", "zorder": 1.0}
 
 
-def gives_way(impact: Impact) -> bool:
+def gives_way(impact: ComputedImpact) -> bool:
     """Whether it is a half-space or a plate."""
     return isinstance(impact.against, UNBOUNDED)
 
 
-def surface(impact: Impact, times: Array, reach: float) -> Surface | None:
+def surface(impact: ComputedImpact, times: Array, reach: float) -> Surface | None:
     """That of the half-space or the plate that is met, if there is one."""
     return _replay.surface(impact, times, reach) if gives_way(impact) else None
 
@@ -48,7 +48,7 @@ def thickness(fields: Sequence[Field]) -> float:
     return deepest + (face + MARGIN if face <= THICK else WALL)
 
 
-def draw(axes: Axes, impact: Impact, time: float, half: float, right: float) -> None:
+def draw(axes: Axes, impact: ComputedImpact, time: float, half: float, right: float) -> None:
     """What is met at this time, in a picture that is `half` high to each side and ends at `right`."""
     moved = surface(impact, np.array([time]), half)
     if moved is None:

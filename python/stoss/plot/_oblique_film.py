@@ -17,7 +17,7 @@ from stoss.plot import _ground, _style
 from stoss.plot._oblique_impact import GRIPS
 from stoss.plot._sequence import spoken_times
 from stoss.results._oblique_impact import ObliqueImpact
-from stoss.results._oblique_trajectory import ObliqueTrajectory
+from stoss.results._oblique_impact import ObliqueTrajectory
 
 Array = NDArray[np.float64]
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from stoss.bodies._bodies import Disk
 from stoss.plot import _style
 from stoss.plot._trajectory import TIME
-from stoss.results._oblique_trajectory import ObliqueTrajectory
+from stoss.results._oblique_impact import ObliqueTrajectory
 
 Array = NDArray[np.float64]
 

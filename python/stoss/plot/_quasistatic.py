@@ -10,16 +10,16 @@ from numpy.typing import NDArray
 
 from stoss.plot import _style
 from stoss.quasistatic._hertz import hertz_pressure
-from stoss.quasistatic._rayleigh import PointRayleighEstimate, RayleighEstimate
-from stoss.quasistatic._slow_impact import PointSlowImpact, SlowImpact
+from stoss.quasistatic._rayleigh import RayleighEstimate
+from stoss.quasistatic._slow_impact import SlowImpact
 from stoss.quasistatic._static_contact import StaticContact
 
-Slow = Union[SlowImpact, PointSlowImpact, RayleighEstimate, PointRayleighEstimate]
+Slow = Union[SlowImpact, RayleighEstimate]
 BEYOND = "beyond perturbation theory"
 
 
-@_style.picture_of(SlowImpact, PointSlowImpact, method="plot")
-def slow_impact(result: SlowImpact | PointSlowImpact, ax: Axes | None = None) -> Axes:
+@_style.picture_of(SlowImpact, method="plot")
+def slow_impact(result: SlowImpact, ax: Axes | None = None) -> Axes:
     """Contact time against speed, a curve for each Poisson's ratio.
 
     Speeds are in c, or in m/s if the result has a material.
@@ -36,8 +36,8 @@ def slow_impact(result: SlowImpact | PointSlowImpact, ax: Axes | None = None) ->
     return axes
 
 
-@_style.picture_of(RayleighEstimate, PointRayleighEstimate, method="plot")
-def rayleigh(result: RayleighEstimate | PointRayleighEstimate, ax: Axes | None = None) -> Axes:
+@_style.picture_of(RayleighEstimate, method="plot")
+def rayleigh(result: RayleighEstimate, ax: Axes | None = None) -> Axes:
     """Rayleigh's estimate of 1 − ε² against speed, with a band for its error.
 
     Speeds are in c, or in m/s if the result has a material. Values beyond perturbation theory are

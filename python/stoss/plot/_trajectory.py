@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from stoss.bodies._bodies import PARTNERS, Disk, Sphere
 from stoss.plot import _style
 from stoss.results._field import Trajectory
-from stoss.results._impact import Impact
-from stoss.results._oblique_trajectory import ObliqueTrajectory
+from stoss.results._computed_impact import ComputedImpact
+from stoss.results._oblique_impact import ObliqueTrajectory
 
 TIME = "time t / (R/c)"
 
@@ -24,7 +24,7 @@ class Curve(Protocol):
     ) -> Axes: ...
 
 
-def _curve(name: str, column: str, label_of: Callable[[Impact], str], said: str, *, method: str = "") -> Curve:
+def _curve(name: str, column: str, label_of: Callable[[ComputedImpact], str], said: str, *, method: str = "") -> Curve:
     """The function of that name, which draws a column against time."""
 
     def drawn(trajectory: Trajectory, ax: Axes | None = None, *, label: str | None = None, **style: Any) -> Axes:

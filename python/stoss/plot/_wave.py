@@ -13,6 +13,7 @@ from stoss.bodies._plates import lower_face
 from stoss.bodies._solid import is_rigid
 from stoss.plot import _disk, _style
 from stoss.plot._sequence import LARGEST, spoken_times
+from stoss.results import _replay
 from stoss.results._field import Wave
 
 Array = NDArray[np.float64]
@@ -65,8 +66,8 @@ def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float |
     wide, high = columns * pitch, rows * height
     column = _style.COLUMN if columns == 1 else 2.0 * _style.COLUMN + 0.2
     faces = [0, -1] if np.isclose(depth, lower_face(impact.against, impact.body)) else [0]
-    balls = None if is_rigid(impact.body) else impact.field(
-        time=times, radius=_disk.GRID_RADIUS, angle=_disk.GRID_ANGLE
+    balls = None if is_rigid(impact.body) else _replay.field(
+        impact, time=times, radius=_disk.GRID_RADIUS, angle=_disk.GRID_ANGLE
     )  # fmt: skip
 
     with _style.canvas(ax, size=(column, min(9.0, 0.88 * column * high / wide + 0.1))) as axes:

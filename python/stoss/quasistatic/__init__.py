@@ -45,13 +45,12 @@ from stoss.quasistatic._hertz import (
 from stoss.quasistatic._oblique import (
     MawImpact, maw, mindlin_displacement, mindlin_force, mindlin_ratio, mindlin_stick_radius, mindlin_traction,
 )
-from stoss.quasistatic._rayleigh import PointRayleighEstimate, RayleighEstimate, rayleigh
-from stoss.quasistatic._slow_impact import PointSlowImpact, SlowImpact, slow_impact
+from stoss.quasistatic._rayleigh import RayleighEstimate, rayleigh
+from stoss.quasistatic._slow_impact import SlowImpact, slow_impact
 from stoss.quasistatic._static_contact import SoftStaticContact, StaticContact, soft_static_contact, static_contact
 
 __all__ = [
-    "AxisymmetricStress", "GreatestShear", "MawImpact", "PlaneStress", "PointRayleighEstimate",
-    "PointSlowImpact", "RayleighEstimate", "SlowImpact", "SoftStaticContact", "StaticContact",
+    "AxisymmetricStress", "GreatestShear", "MawImpact", "PlaneStress", "RayleighEstimate", "SlowImpact", "SoftStaticContact", "StaticContact",
     "compression", "compression_energy", "compression_force", "contact_radius", "greatest_shear",
     "heavy_disk_stress", "hertz_pressure", "hertz_stress", "limit_force", "limit_speed", "maw",
     "mindlin_displacement", "mindlin_force", "mindlin_ratio", "mindlin_stick_radius", "mindlin_traction", "rayleigh",

@@ -13,7 +13,7 @@ from stoss._arguments import arranged, broadcast, choice, instance, numbers
 from stoss._documentation import documented
 from stoss.bodies._bodies import Disk, Sphere
 from stoss.bodies._encounter import choose_body
-from stoss.results._result import Number
+from stoss.results._quantities import Number
 
 LAWS: Mapping[type, tuple[str, ...]] = {Disk: ("center", "diameter", "printed"), Sphere: ("center", "hertz")}
 """Laws of compression of the bodies that have some."""

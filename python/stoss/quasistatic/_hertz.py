@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss._arguments import arranged, broadcast, choice, instance, numbers
 from stoss.bodies._bodies import Disk, Sphere
-from stoss.results._result import Number
+from stoss.results._quantities import Number
 
 
 class PlaneStress(NamedTuple):

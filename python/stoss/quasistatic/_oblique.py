@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from stoss import _core
 from stoss._arguments import arranged, number
 from stoss.quasistatic._hertz import _arrays, _shaped
-from stoss.results._result import Number
+from stoss.results._quantities import Number
 
 
 def _of(function: Callable[..., Any], **given: ArrayLike) -> Number:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import warnings
-from typing import Any, ClassVar, overload
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,23 +15,23 @@ from stoss._documentation import documented
 from stoss._errors import StossWarning
 from stoss.bodies._bodies import Disk, Sphere, speeds_in_si
 from stoss.export._text import span, with_error
-from stoss.quasistatic._slow_impact import SlowOfABody, slow_inputs
-from stoss.results._restitution import Flag, Integer
-from stoss.results._result import Number, columns, picture
-from stoss.results._si import Si, warn_of_materials
+from stoss.quasistatic._slow_impact import OfSlowImpacts, slow_inputs
+from stoss.results._quantities import Number, RayleighQuantities
+from stoss.results._result import columns, picture
+from stoss.results._si import warn_of_materials
 
 
-class EstimateOfABody(SlowOfABody):
-    """What the estimates of disks and spheres have in common.
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class RayleighEstimate(RayleighQuantities, OfSlowImpacts):
+    """What slow impacts lose to vibration, to first order of a perturbation theory.
+
+    Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
+    broadcast.
 
     Attributes:
         cutoff: Modes up to this frequency are driven, c/R.
-        poisson, speed, contact_time, max_compression, max_force: Of the impact that drives the
-            modes, as in `SlowImpact`.
-        lost_fraction: 1 − ε². May exceed 1 where it means nothing.
-        lost_fraction_error: By how much the full solution may differ from it, from `kinetic_share`.
-        kinetic_share: Maximum kinetic energy of the modes as they follow the force, as a share of
-            ½mv²: the theory's small number.
+        mean_lost_fraction: The law of v → 0 averaged over the phases of the modes of a sphere,
+            c(ν) v; None of disks.
         beyond_perturbation: Whether it is above 0.04: `lost_fraction` is then no estimate, but 1.8
             to 19 times too large.
         mode_energies: For a single speed, a structured array with the fields order, index, omega,
@@ -44,93 +44,22 @@ class EstimateOfABody(SlowOfABody):
     _name: ClassVar[str] = "rayleigh"
     _told = ("law", "cutoff", "body")
 
-    lost_fraction: Number
-    lost_fraction_error: Number
-    beyond_perturbation: Flag
+    law: str
+    cutoff: float
+    poisson: Number
+    speed: Number
+    mode_energies: NDArray[Any] | None
+    body: Disk | Sphere | None
 
     def __repr__(self) -> str:
         of = f"poisson={span(self.poisson)}, speed={span(self.speed)} c"
         if isinstance(self.lost_fraction, float):
             value = with_error(self.lost_fraction, float(self.lost_fraction_error))
             doubt = ", beyond perturbation theory" if self.beyond_perturbation else ""
-            return f"{type(self).__name__}({of}: lost fraction {value}{doubt})"
+            return f"RayleighEstimate({of}: lost fraction {value}{doubt})"
         beyond = np.count_nonzero(self.beyond_perturbation)
         value = f"lost fraction {span(self.lost_fraction)}, {beyond} beyond perturbation theory"
-        return f"{type(self).__name__}({np.size(self.speed)} values, {of}: {value})"
-
-
-@dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class RayleighEstimate(EstimateOfABody):
-    """What slow impacts lose to vibration, to first order of a perturbation theory.
-
-    Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
-    broadcast.
-    """
-
-    _kind = "rayleigh"
-
-    law: str
-    cutoff: float
-    poisson: Number
-    speed: Number
-    lost_fraction: Number
-    lost_fraction_error: Number
-    contact_time: Number
-    max_compression: Number
-    max_force: Number
-    kinetic_share: Number
-    beyond_perturbation: Flag
-    modes: Integer
-    mode_energies: NDArray[Any] | None
-    body: Disk | None
-
-
-@dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class PointRayleighEstimate(EstimateOfABody):
-    """What slow impacts of a sphere lose to vibration, to first order of a perturbation theory.
-
-    Numbers, or arrays of the shape of `speed`.
-
-    Attributes:
-        mean_lost_fraction: The law of v → 0 averaged over the phases of the modes, c(ν) v.
-    """
-
-    _kind = "point rayleigh"
-    max_radius_si = Si("Maximum radius of the contact, m.")
-
-    law: str
-    cutoff: float
-    poisson: Number
-    speed: Number
-    lost_fraction: Number
-    lost_fraction_error: Number
-    mean_lost_fraction: Number
-    contact_time: Number
-    max_compression: Number
-    max_force: Number
-    max_radius: Number
-    kinetic_share: Number
-    beyond_perturbation: Flag
-    modes: Integer
-    mode_energies: NDArray[Any] | None
-    body: Sphere
-
-
-@overload
-def rayleigh(
-    body: Sphere, *, speed: ArrayLike, poisson: None = None, law: str = "center", cutoff: float = 60.0
-) -> PointRayleighEstimate: ...
-
-
-@overload
-def rayleigh(
-    body: Disk | None = None,
-    *,
-    speed: ArrayLike,
-    poisson: ArrayLike | None = None,
-    law: str = "center",
-    cutoff: float = 60.0,
-) -> RayleighEstimate: ...
+        return f"RayleighEstimate({np.size(self.speed)} values, {of}: {value})"
 
 
 @documented
@@ -141,7 +70,7 @@ def rayleigh(
     poisson: ArrayLike | None = None,
     law: str = "center",
     cutoff: float = 60.0,
-) -> RayleighEstimate | PointRayleighEstimate:
+) -> RayleighEstimate:
     """Rayleigh's estimate of the energy that slow impacts leave in vibration, with its error.
 
     The force F(t) of a `slow_impact` drives every mode at the point of contact, Q̈ + ω²Q = −C F/m,
@@ -160,7 +89,7 @@ def rayleigh(
         >>> stoss.quasistatic.rayleigh(poisson=0.33, speed=1e-6)
         RayleighEstimate(poisson=0.33, speed=1e-06 c: lost fraction 0.0061 ± 0.0039)
         >>> stoss.quasistatic.rayleigh(stoss.Sphere(poisson=0.3), speed=1e-6)
-        PointRayleighEstimate(poisson=0.3, speed=1e-06 c: lost fraction 0.000000337 ± 0.000000011)
+        RayleighEstimate(poisson=0.3, speed=1e-06 c: lost fraction 0.000000337 ± 0.000000011)
     """
     chosen, poissons, speeds = slow_inputs(body, speed, poisson, law)
     highest = number("cutoff", cutoff)
@@ -178,7 +107,7 @@ def rayleigh(
         text = f"{beyond} of {speeds.size} values beyond perturbation theory: their lost_fraction is far too great"
         warnings.warn(text, StossWarning, stacklevel=2)
     shaped |= {"law": chosen, "cutoff": highest, "mode_energies": energies if speeds.ndim == 0 else None}
-    made = PointRayleighEstimate if isinstance(body, Sphere) else RayleighEstimate
-    result: RayleighEstimate | PointRayleighEstimate = made(body=body, **shaped)
+    of_spheres: dict[str, Any] = {"mean_lost_fraction": None, "max_radius": None}
+    result = RayleighEstimate(body=body, **of_spheres | shaped)
     warn_of_materials(result, 2, lossy=False)
     return result

@@ -14,6 +14,7 @@ from stoss._documentation import documented
 from stoss.bodies._bodies import Disk, Sphere
 from stoss.bodies._encounter import choose_body, contact
 from stoss.bodies._walls import ExponentialWall
+from stoss.results._quantities import SoftStaticContactQuantities
 from stoss.results._result import Column, Result, picture, unit
 
 
@@ -22,6 +23,8 @@ class StaticContact(Result):
     """A disk or a sphere held against a hard wall, at rest.
 
     Attributes:
+        force, force_error: Of the contact, mc²/R: πRE of a disk, (4π/3)R²E of a sphere; and its
+            estimated error.
         half_width: Of the contact, along the undeformed edge, R; of a sphere its radius.
         energy: Stored in the body, mc²; its derivative by δ is F.
         contact_nodes: Nodes with a pressure, the first ones. Those of a sphere are rings.
@@ -95,7 +98,7 @@ def static_contact(
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class SoftStaticContact(Result):
+class SoftStaticContact(SoftStaticContactQuantities, Result):
     """A disk held at rest in front of an exponential wall.
 
     Attributes:
@@ -106,7 +109,6 @@ class SoftStaticContact(Result):
     """
 
     _name: ClassVar[str] = "soft static contact"
-    _kind = "soft static contact"
     _given = {"poisson": "", "compression": "length", "cutoff": "frequency"}
     _told = ("against",)
 
@@ -114,12 +116,6 @@ class SoftStaticContact(Result):
     compression: float
     cutoff: float
     against: ExponentialWall
-    force: float
-    energy: float
-    wall_energy: float
-    modes: int
-    nodes: int
-    newton_steps: int
 
     def __repr__(self) -> str:
         return (

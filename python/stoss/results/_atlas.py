@@ -21,7 +21,8 @@ from stoss.bodies._bodies import Body, Disk, Sphere, speed_unit
 from stoss.bodies._encounter import Against, choose_against, choose_body
 from stoss.bodies._walls import UNBOUNDED, HalfPlane, HalfSpace, HardWall, Unbounded
 from stoss.export._text import span, with_error
-from stoss.results._result import Column, Number
+from stoss.results._quantities import Number
+from stoss.results._result import Column
 from stoss.results._si import SpeedInSi, warn_at
 
 Array = NDArray[np.float64]

@@ -19,12 +19,13 @@ from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import UNBOUNDED, ExponentialWall, HardWall
 from stoss.export._text import span
 from stoss.results._progress import waiting
+from stoss.results._quantities import BounceQuantities
 from stoss.results._result import RowResult, columns, picture
-from stoss.results._si import MayYield, Si, warn_of_large_strain, warn_of_materials
+from stoss.results._si import MayYield, warn_of_large_strain, warn_of_materials
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Bounces(MayYield, RowResult):
+class Bounces(BounceQuantities, MayYield, RowResult):
     """A sequence of impacts of a body that comes back. All arrays have one element for each impact;
     an index gives one of them, a slice the impacts among them.
 
@@ -48,10 +49,8 @@ class Bounces(MayYield, RowResult):
 
     plot = picture("ε of each impact, and where the energy is. See `stoss.plot.bounces`.")
     _name: ClassVar[str] = "bounce"
-    _kind = "bounce"
     _told = ("body", "against", "cutoff", "tail", "gravity", "decay_time", "state")
     _axis: ClassVar[str] = "number"
-    flight_time_si = Si("Time of the flight after each impact, s.")
 
     body: Body
     against: Against
@@ -60,23 +59,6 @@ class Bounces(MayYield, RowResult):
     gravity: float | None
     decay_time: float | None
     state: NDArray[Any] | None
-    number: NDArray[np.int64]
-    speed: NDArray[np.float64]
-    restitution: NDArray[np.float64]
-    translation_before: NDArray[np.float64]
-    vibration_before: NDArray[np.float64]
-    dissipated_before: NDArray[np.float64]
-    unresolved_before: NDArray[np.float64]
-    translation: NDArray[np.float64]
-    vibration: NDArray[np.float64]
-    dissipated: NDArray[np.float64]
-    unresolved: NDArray[np.float64]
-    energy_error: NDArray[np.float64]
-    contact_time: NDArray[np.float64]
-    flight_time: NDArray[np.float64]
-    short_flight: NDArray[np.bool_]
-    strain: NDArray[np.float64]
-    beyond_small_strain: NDArray[np.bool_]
 
     def __repr__(self) -> str:
         who = shown(self.body, self.against)

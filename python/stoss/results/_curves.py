@@ -17,6 +17,7 @@ from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded
 from stoss.export._text import with_error
 from stoss.results._progress import bar, waiting
+from stoss.results._quantities import ExtrapolationQuantities
 from stoss.results._restitution import Restitution
 from stoss.results._result import Column, Result, columns, picture
 from stoss.results._si import finished
@@ -122,7 +123,7 @@ def restitution(
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Extrapolation(Result):
+class Extrapolation(ExtrapolationQuantities, Result):
     """ε and 1 − ε² by the two limits of the paper, α → ∞ and N → ∞, with the errors of its regressions.
 
     Attributes:
@@ -134,18 +135,13 @@ class Extrapolation(Result):
 
     plot = picture("1 − ε² against 1/α with the regressions. See `stoss.plot.extrapolation`.")
     _name: ClassVar[str] = "extrapolation"
-    _kind = "soft impact"
+    _kind = "soft impact"  # of the columns
     _told = ("poisson", "speed", "restitution", "restitution_error", "lost_fraction", "lost_fraction_error")
 
     poisson: float
     speed: float
-    restitution: float
-    restitution_error: float
-    lost_fraction: float
-    lost_fraction_error: float
     hard_wall: NDArray[Any]
     impacts: NDArray[Any]
-    steps: int
 
     def __repr__(self) -> str:
         value = with_error(self.restitution, self.restitution_error)

@@ -18,12 +18,13 @@ from stoss.bodies._state import Oscillation, choose_state
 from stoss.bodies._walls import HardWall, Unbounded
 from stoss.export._text import span, with_error
 from stoss.results._progress import bar
+from stoss.results._quantities import SampleQuantities
 from stoss.results._result import RowResult, columns, picture
-from stoss.results._si import InSi, Si, warn_at, warn_of_doubt, warn_of_large_strain
+from stoss.results._si import InSi, warn_at, warn_of_doubt, warn_of_large_strain
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class RestitutionDistribution(InSi, RowResult):
+class RestitutionDistribution(SampleQuantities, InSi, RowResult):
     """Coefficients of restitution of bodies that vibrate at random before the impact.
 
     Arrays have one element for each sample; ``len()`` is their number, an index gives one of them,
@@ -48,10 +49,7 @@ class RestitutionDistribution(InSi, RowResult):
 
     plot = picture("Histogram of ε. See `stoss.plot.distribution`.")
     _name: ClassVar[str] = "distribution"
-    _kind = "sample"
     _axis: ClassVar[str] = "sample"
-    contact_time_si = Si("Contact time, s.")
-    contact_time_si_error = Si("Error of the contact time, s.")
 
     body: Body
     against: Against
@@ -66,19 +64,6 @@ class RestitutionDistribution(InSi, RowResult):
     numerical_error: float
     spread: float
     above_one: float
-    sample: NDArray[np.int64]
-    vibration: NDArray[np.float64]
-    restitution: NDArray[np.float64]
-    restitution_error: NDArray[np.float64]
-    lost_fraction: NDArray[np.float64]
-    lost_fraction_error: NDArray[np.float64]
-    contact_time: NDArray[np.float64]
-    contact_time_error: NDArray[np.float64]
-    contacts: NDArray[np.int64]
-    steps: NDArray[np.int64]
-    converged: NDArray[np.bool_]
-    strain: NDArray[np.float64]
-    beyond_small_strain: NDArray[np.bool_]
     reason: NDArray[np.object_]
 
     def __getitem__(self, key: Any) -> Any:

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING, Any, ClassVar, Mapping
+from typing import Any, ClassVar, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stoss.export._text import span
-from stoss.results._result import Column, Number, Result, RowResult, picture
-from stoss.results._si import InSi, Si
-
-if TYPE_CHECKING:
-    from stoss.results._impact import Impact
+from stoss.results._computed_impact import ComputedImpact
+from stoss.results._quantities import Number, SnapshotQuantities
+from stoss.results._result import Column, Result, RowResult, picture
+from stoss.results._si import InSi
 
 
 class OfAnImpact(Result):
@@ -23,7 +22,7 @@ class OfAnImpact(Result):
     _points: ClassVar[Mapping[str, str]]  # the two columns of the points, and what these are in plural
     _values: ClassVar[tuple[str, ...]]  # the columns at the points
 
-    impact: Impact
+    impact: ComputedImpact
     time: Number
 
     def __repr__(self) -> str:
@@ -74,7 +73,7 @@ class Field(OfAnImpact):
         f"stress_{pair}": "E" for pair in ("rr", "tt", "pp", "rt", "rp")
     }
 
-    impact: Impact = dataclasses.field(repr=False)
+    impact: ComputedImpact = dataclasses.field(repr=False)
     of: int
     size: float
     time: Number
@@ -129,7 +128,7 @@ class SphereField(Field):
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Trajectory(RowResult, InSi):
+class Trajectory(SnapshotQuantities, RowResult, InSi):
     """An impact in time. All arrays have one element for each row; an index gives one row, a slice the rows.
 
     Attributes:
@@ -143,25 +142,9 @@ class Trajectory(RowResult, InSi):
 
     plot = picture("Force against time. See `stoss.plot.force`.")
     _name: ClassVar[str] = "trajectory"
-    _kind = "snapshot"
     _axis: ClassVar[str] = "time"
-    time_si = Si("Time, s.")
-    center_si = Si("Position of the centre of mass, m.")
-    velocity_si = Si("Velocity of the centre of mass, m/s.")
-    force_si = Si("Force: of a disk per thickness, N/m; of a sphere or a rod, N.")
-    contact_half_width_si = Si("Half-width of the contact, m.")
 
-    impact: Impact = dataclasses.field(repr=False)
-    time: NDArray[np.float64]
-    center: NDArray[np.float64]
-    velocity: NDArray[np.float64]
-    force: NDArray[np.float64]
-    translation: NDArray[np.float64]
-    vibration: NDArray[np.float64]
-    stored: NDArray[np.float64]
-    dissipated: NDArray[np.float64]
-    unresolved: NDArray[np.float64]
-    contact_half_width: NDArray[np.float64]
+    impact: ComputedImpact = dataclasses.field(repr=False)
 
     @property
     def body(self) -> Any:
@@ -202,7 +185,7 @@ class Wave(OfAnImpact):
     _values = ("lateral", "normal", "lateral_velocity", "normal_velocity")
     _units = dict.fromkeys((*_points, "lateral", "normal"), "R") | dict.fromkeys(_values[2:], "c")
 
-    impact: Impact = dataclasses.field(repr=False)
+    impact: ComputedImpact = dataclasses.field(repr=False)
     time: Number
     center: Number
     force: Number

@@ -15,11 +15,12 @@ from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Disk, Sphere
 from stoss.bodies._encounter import choose_body
 from stoss.export._text import span
+from stoss.results._quantities import ModeQuantities
 from stoss.results._result import RowResult, columns, picture
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Modes(RowResult):
+class Modes(ModeQuantities, RowResult):
     """The modes of a free disk or sphere up to a cutoff, by order, then by frequency.
 
     Of a disk they are the symmetric ones in its plane, u = (u_r(r) cos nφ, u_φ(r) sin nφ) inside;
@@ -36,18 +37,12 @@ class Modes(RowResult):
 
     plot = picture("Spectrum, ω against n. See `stoss.plot.spectrum`.")
     _name: ClassVar[str] = "modes"
-    _kind = "mode"
     _told = ("body", "poisson", "cutoff")
     _axis: ClassVar[str] = "mode"
 
     body: Disk | Sphere
     poisson: float
     cutoff: float
-    order: NDArray[np.int32]
-    index: NDArray[np.int32]
-    omega: NDArray[np.float64]
-    radial: NDArray[np.float64]
-    tangential: NDArray[np.float64]
 
     def __repr__(self) -> str:
         of = f"poisson={self.poisson:g}" if isinstance(self.body, Disk) else f"Sphere(poisson={brief(self.body.poisson)})"

@@ -20,13 +20,13 @@ from stoss.results._curves import empty_rows
 from stoss.results._oblique_ledger import ObliqueLedger
 from stoss.results._obliquity import MOTION, Oblique, choose_motion, explained
 from stoss.results._progress import bar
-from stoss.results._restitution import Flag, Integer
-from stoss.results._result import QUANTITIES, Column, Number, columns, picture
-from stoss.results._si import Si, finished, warn_of_turning
+from stoss.results._quantities import Number, ObliqueQuantities, QUANTITIES
+from stoss.results._result import Column, columns, picture
+from stoss.results._si import finished, warn_of_turning
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class ObliqueRestitution(Oblique):
+class ObliqueRestitution(ObliqueQuantities, Oblique):
     """The collision rule of bodies that meet at an angle, with spin and friction.
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which they broadcast: then
@@ -58,13 +58,7 @@ class ObliqueRestitution(Oblique):
 
     plot = picture("ε_t and ε_n against the angle of incidence. See `stoss.plot.oblique`.")
     _name: ClassVar[str] = "oblique"
-    _kind = "oblique"
     _told = ("body", "against", "tolerance", "state")
-    sliding_after_si_error = Si("Error of the sliding speed after, m/s.")
-    tangential_after_si_error = Si("Error of the velocity along the surface after, m/s.")
-    spin_after_si_error = Si("Error of the spin of the first body after, rad/s.")
-    second_spin_after_si_error = Si("Error of the spin of the second body after, rad/s.")
-    coupling_sliding_after_si = Si("Change of the sliding speed after by neglected coupling, m/s.")
 
     body: Body
     against: Against
@@ -73,39 +67,6 @@ class ObliqueRestitution(Oblique):
     spin: Number
     second_spin: Number
     friction: Number
-    restitution: Number
-    restitution_error: Number
-    tangential_restitution: Number
-    tangential_restitution_error: Number
-    sliding: Number
-    sliding_after: Number
-    sliding_after_error: Number
-    tangential_after: Number
-    tangential_after_error: Number
-    spin_after: Number
-    spin_after_error: Number
-    second_spin_after: Number
-    second_spin_after_error: Number
-    friction_loss: Number
-    friction_loss_error: Number
-    vibration: Number
-    vibration_error: Number
-    dundurs: Number
-    coupling_restitution: Number
-    coupling_tangential_restitution: Number
-    coupling_sliding_after: Number
-    contact_time: Number
-    cutoff: Number
-    runs: Integer
-    steps: Integer
-    energy_error: Number
-    converged: Flag
-    unstable: Flag
-    stays: Flag
-    strain: Number
-    beyond_small_strain: Flag
-    turned: Number
-    beyond_small_turn: Flag
     reason: str | NDArray[np.object_]
     tolerance: float
     state: NDArray[Any] | None

@@ -9,11 +9,12 @@ import numpy as np
 
 from stoss.export import _tables
 from stoss.export._text import span
-from stoss.results._result import Number, Result
+from stoss.results._quantities import Number, ObliqueLedgerQuantities
+from stoss.results._result import Result
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class ObliqueLedger(Result):
+class ObliqueLedger(ObliqueLedgerQuantities, Result):
     """Where the energy is after oblique impacts, as shares of what there was before.
 
     That is of all motion relative to the common centre of mass, of the spins and of the vibration.
@@ -30,18 +31,7 @@ class ObliqueLedger(Result):
     """
 
     _name: ClassVar[str] = "oblique ledger"
-    _kind = "oblique ledger"
 
-    translation: Number
-    across: Number
-    rotation: Number
-    second_rotation: Number
-    vibration: Number
-    second_vibration: Number
-    dissipated: Number
-    friction: Number
-    unresolved: Number
-    stored: Number
 
     @property
     def total(self) -> Number:

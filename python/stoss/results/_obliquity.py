@@ -12,8 +12,8 @@ from stoss._arguments import arranged, broadcast, numbers
 from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body
-from stoss.results._result import Number
-from stoss.results._si import MayYield, Si
+from stoss.results._quantities import Number, Si
+from stoss.results._si import MayYield
 
 MOTION = ("speed", "tangential", "spin", "second_spin", "friction")
 PARAMETERS = {
@@ -60,11 +60,6 @@ class Oblique(MayYield):
     tangential_si = Si("Velocity along the surface before, m/s.")
     spin_si = Si("Spin of the first body before, rad/s.")
     second_spin_si = Si("Spin of the second body before, rad/s.")
-    sliding_si = Si("Sliding speed before, m/s.")
-    sliding_after_si = Si("Sliding speed after, m/s.")
-    tangential_after_si = Si("Velocity along the surface after, m/s.")
-    spin_after_si = Si("Spin of the first body after, rad/s.")
-    second_spin_after_si = Si("Spin of the second body after, rad/s.")
 
     tangential: Any
 

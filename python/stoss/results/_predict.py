@@ -17,7 +17,7 @@ from stoss.bodies._encounter import Against, drop_encounter
 from stoss.bodies._walls import ExponentialWall, HardWall, Unbounded
 from stoss.results._prediction import CHANNELS, Influence, Prediction
 from stoss.results._progress import waiting
-from stoss.results._result import QUANTITIES
+from stoss.results._quantities import QUANTITIES
 
 
 @documented

@@ -14,7 +14,8 @@ from stoss.bodies._bodies import Sphere, shown
 from stoss.bodies._encounter import Against
 from stoss.export import _tables
 from stoss.export._text import plain, span
-from stoss.results._result import QUANTITIES, Column, Number, Result, picture, unit
+from stoss.results._quantities import Number, PredictionQuantities, QUANTITIES
+from stoss.results._result import Column, Result, picture, unit
 
 CHANNELS: Mapping[str, str] = {
     "ringing": "ringing", "radiation": "radiation", "material": "material", "yield": "yielding", "adhesion": "adhesion",
@@ -41,7 +42,7 @@ class Influence:
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Prediction(Result):
+class Prediction(PredictionQuantities, Result):
     """What a drop test of a real ball shows, and where the energy goes, in SI.
 
     Numbers if the speed was one, otherwise arrays of its shape: then ``len()`` is the length of the
@@ -85,30 +86,11 @@ class Prediction(Result):
 
     plot = picture("ε with its uncertainties, and where the energy goes, against speed. See `stoss.plot.prediction`.")
     _name: ClassVar[str] = "predict"
-    _kind = "prediction"
     _axis: ClassVar[str] = "speed"
     _told = ("body", "against", "work_of_adhesion", "uncertainties", "tolerance")
 
     body: Sphere
     against: Against | str
-    speed: Number
-    restitution: Number
-    restitution_error: Number
-    by_models: Number
-    by_constants: Number
-    models_low: Number
-    models_high: Number
-    restitution_without_models: Number
-    restitution_without_models_error: Number
-    ringing: Number
-    radiation: Number
-    material: Number
-    yielding: Number
-    adhesion: Number
-    dominant: str | NDArray[np.object_]
-    drop_height: Number
-    rebound_height: Number
-    contact_time: Number
     influences: tuple[Influence, ...] | NDArray[np.object_]
     warnings: tuple[str, ...] | NDArray[np.object_]
     yield_speed: float | None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,11 +17,9 @@ from stoss.bodies._solid import is_rigid
 from stoss.bodies._state import choose_state
 from stoss.bodies._plates import lower_face
 from stoss.bodies._walls import UNBOUNDED
+from stoss.results._computed_impact import ComputedImpact
 from stoss.results._field import DiskField, Field, SphereField, Trajectory, Wave
 from stoss.results._result import columns
-
-if TYPE_CHECKING:
-    from stoss.results._impact import Impact
 
 
 class Rising:
@@ -39,7 +37,7 @@ class Rising:
         return arranged(array, self._shape + array.shape[1:])
 
 
-def trajectory(self: Impact, *, every: int = 1) -> Trajectory:
+def trajectory(self: ComputedImpact, *, every: int = 1) -> Trajectory:
     """The impact in time, by repeating it bit by bit.
 
     Parameters:
@@ -60,7 +58,7 @@ def trajectory(self: Impact, *, every: int = 1) -> Trajectory:
 
 
 @documented
-def energies_at(self: Impact, *, time: ArrayLike) -> NDArray[Any]:
+def energies_at(self: ComputedImpact, *, time: ArrayLike) -> NDArray[Any]:
     """Energy of each kept mode at some times, by repeating the impact bit by bit; before and after it they stay.
 
     Returns:
@@ -80,7 +78,7 @@ def energies_at(self: Impact, *, time: ArrayLike) -> NDArray[Any]:
     return rising.placed(_core.energies_at(self._contact(), self._handle, rising.times))  # type: ignore[no-any-return]
 
 
-def state_after(self: Impact, *, flight: float) -> NDArray[Any]:
+def state_after(self: ComputedImpact, *, flight: float) -> NDArray[Any]:
     """How the bodies vibrate when they meet again at the speed of their parting, `restitution` × `speed`.
 
     Parameters:
@@ -110,7 +108,7 @@ class Surface(NamedTuple):
     lower: NDArray[np.float64] | None  # of the lower face, where one is near
 
 
-def surface(impact: Impact, time: Any, reach: float) -> Surface:
+def surface(impact: ComputedImpact, time: Any, reach: float) -> Surface:
     """Where the surface of a half-space or a plate is at some times: places y, −reach to reach, times × places x, in R.
 
     The upper face is moved by the kept modes alone.
@@ -129,7 +127,7 @@ def surface(impact: Impact, time: Any, reach: float) -> Surface:
     return Surface(np.concatenate((-lateral[::-1], lateral)), upper, lower)
 
 
-def require_replay(impact: Impact, name: str, times: int, each: float, once: float, got: str) -> None:
+def require_replay(impact: ComputedImpact, name: str, times: int, each: float, once: float, got: str) -> None:
     """Refuse what is too large: numbers for each time, besides its motion, and numbers once."""
     size = 8.0 * (times * (each + 2.0 * impact.modes + impact.nodes) + once)
     require_memory(name, f"{times} times{got}", size, "give fewer times or points")
@@ -137,7 +135,7 @@ def require_replay(impact: Impact, name: str, times: int, each: float, once: flo
 
 @documented
 def field(
-    self: Impact, *, time: ArrayLike, radius: ArrayLike | None = None, angle: ArrayLike | None = None, of: int = 0
+    self: ComputedImpact, *, time: ArrayLike, radius: ArrayLike | None = None, angle: ArrayLike | None = None, of: int = 0
 ) -> Field:
     """A deformed disk or sphere and the stress inside it at some times.
 
@@ -196,7 +194,7 @@ def field(
 
 
 def wave(
-    self: Impact,
+    self: ComputedImpact,
     *,
     time: ArrayLike | None = None,
     distance: ArrayLike | None = None,

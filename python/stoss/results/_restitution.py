@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, ClassVar, Union
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,15 +15,13 @@ from stoss.bodies._walls import UNBOUNDED
 from stoss.export import _tables
 from stoss.export._text import span, with_error
 from stoss.results._function import RestitutionFunction, choose_beyond, function_of
-from stoss.results._result import Column, Number, picture
-from stoss.results._si import ImpactsInSi, Si
-
-Integer = Union[int, NDArray[np.int64]]
-Flag = Union[bool, NDArray[np.bool_]]
+from stoss.results._quantities import Number, RestitutionQuantities
+from stoss.results._result import Column, picture
+from stoss.results._si import MayYield
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Restitution(ImpactsInSi):
+class Restitution(RestitutionQuantities, MayYield):
     """The coefficient of restitution of a body at a wall or a half-space, or of two bodies.
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
@@ -47,45 +45,15 @@ class Restitution(ImpactsInSi):
 
     plot = picture("ε against v with error bars. See `stoss.plot.restitution`.")
     _name: ClassVar[str] = "restitution"
-    _kind = "restitution"
     _told = ("body", "bodies", "against", "tolerance", "absolute", "state")
     _axis: ClassVar[str] = "speed"
     _given = {"poisson": "", "speed": "speed"}
-    contact_time_si_error = Si("Error of the contact time, s.")
-    impulse_time_si = Si("Time between 1 % and 99 % of the impulse, s.")
-    impulse_time_si_error = Si("Error of the impulse time, s.")
-    max_force_si_error = Si("Error of the maximum force, N/m or N.")
-    max_compression_si_error = Si("Error of the maximum compression, m.")
 
     body: Body | None
     bodies: tuple[Body, ...] = dataclasses.field(repr=False)
     against: Against | str
     poisson: Number
     speed: Number
-    restitution: Number
-    restitution_error: Number
-    lost_fraction: Number
-    lost_fraction_error: Number
-    contact_time: Number
-    contact_time_error: Number
-    impulse_time: Number
-    impulse_time_error: Number
-    max_compression: Number
-    max_compression_error: Number
-    max_force: Number
-    max_force_error: Number
-    lost_to_first: Number
-    lost_to_second: Number
-    dissipated: Number
-    cutoff: Number
-    modes: Integer
-    runs: Integer
-    steps: Integer
-    energy_error: Number
-    converged: Flag
-    stays: Flag
-    strain: Number
-    beyond_small_strain: Flag
     reason: str | NDArray[np.object_]
     tolerance: float
     absolute: float

@@ -5,8 +5,7 @@ from __future__ import annotations
 import dataclasses
 import os
 import re
-from types import MappingProxyType
-from typing import Any, Callable, ClassVar, Iterator, Mapping, Union
+from typing import Any, Callable, ClassVar, Iterator, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,24 +17,9 @@ from stoss.bodies._state import shown_state
 from stoss.export import _tables
 from stoss.export._files import write_lines
 from stoss.export._text import cell, known, plain, with_error
+from stoss.results._quantities import QUANTITIES
 
-Number = Union[float, NDArray[np.float64]]
 Column = NDArray[Any]
-
-
-QUANTITIES: Mapping[str, Mapping[str, str]] = MappingProxyType(
-    {
-        kind: MappingProxyType(
-            {
-                column: dimension
-                for name, dimension, has_error, _ in table
-                for column in ((name, f"{name}_error") if has_error else (name,))
-            }
-        )
-        for kind, table in _core.quantities.items()
-    }
-)
-"""Dimension of each column of each kind of result, in the order of the core; errors follow their values."""
 
 
 def unit(dimension: str, *, body: str, si: bool) -> str:
@@ -72,7 +56,9 @@ class Result:
 
         An error that is unknown is the word "unknown"; in the arrays it is infinite.
         """
-        return {**plain(self), **plain(self._derived())}
+        told, computed = plain(self), self._dimensions().keys() - self._given.keys()
+        made_it = {name: each for name, each in told.items() if name not in computed}
+        return {**made_it, **told, **plain(self._derived())}
 
     @documented
     def to_csv(self, path: str | os.PathLike[str]) -> None:
@@ -166,7 +152,8 @@ class Result:
     def _table(self) -> dict[str, Column]:
         """Columns of one length."""
         fields = {field.name for field in dataclasses.fields(self)}
-        return {name: np.asarray(getattr(self, name)) for name in self._dimensions() if name in fields}
+        held = {name: getattr(self, name) for name in self._dimensions() if name in fields}
+        return {name: np.asarray(each) for name, each in held.items() if each is not None}
 
 
 class RowResult(Result):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import warnings
 from typing import Any, TypeVar
 
@@ -13,26 +12,14 @@ from stoss import _core
 from stoss._errors import Interrupted, NotConverged, StossWarning
 from stoss.bodies._encounter import material_warnings_of, yield_speed_of
 from stoss.bodies._material import Material
-from stoss.results._result import Number, Result
+from stoss.results._quantities import Number, Si
+from stoss.results._result import Result
 
 
 def si_name(name: str) -> str:
     """Name of the SI value of a column: contact_time_error is contact_time_si_error."""
     own = name.removesuffix("_error")
     return f"{own}_si{name[len(own):]}"
-
-
-class Si(property):
-    """A column of a result in SI, by its dimension: `x_si = Si("What it is, unit.")` is that of `x`."""
-
-    def __init__(self, said: str) -> None:
-        super().__init__(doc=said)
-
-    def __set_name__(self, owner: type, name: str) -> None:
-        self._column = re.sub(r"_si(?=$|_error$)", "", name)
-
-    def __get__(self, result: Any, owner: type | None = None, /) -> Number:
-        return self if result is None else result._in_si(self._column)  # type: ignore[return-value]
 
 
 class InSi(Result):
@@ -61,8 +48,8 @@ class InSi(Result):
     def _derived(self) -> dict[str, Any]:
         if self.material is None:
             return {}
-        names = [si_name(name) for name in self._dimensions() if hasattr(type(self), si_name(name))]
-        return {name: getattr(self, name) for name in names}
+        held = [name for name in self._dimensions() if hasattr(type(self), si_name(name))]
+        return {si_name(name): self._in_si(name) for name in held if getattr(self, name) is not None}
 
 
 class SpeedInSi(InSi):
@@ -72,15 +59,10 @@ class SpeedInSi(InSi):
     speed_si = Si("Speed of approach, m/s.")
 
 
-class MayYield(InSi):
+class MayYield(SpeedInSi):
     """Impacts that may be so fast that a sphere, or what it meets, begins to yield."""
 
     _units = {"yield_speed": "c", "yield_speed_si": "m/s"}
-
-    speed: Any
-    contact_time: Any
-    speed_si = Si("Speed before the impact, m/s.")
-    contact_time_si = Si("Contact time, s.")
 
     @property
     def yield_speed_si(self) -> Number:
@@ -107,15 +89,6 @@ class MayYield(InSi):
         names = ("yield_speed", "yield_speed_si", "beyond_yield")
         yielding = {} if self._yield_speed() is None else {name: getattr(self, name) for name in names}
         return super()._derived() | yielding
-
-
-class ImpactsInSi(MayYield):
-    """Impacts with their maxima."""
-
-    max_force: Any
-    max_compression: Any
-    max_force_si = Si("Maximum force: of a disk per thickness, N/m; of a sphere or a rod, N.")
-    max_compression_si = Si("Maximum compression, m.")
 
 
 def warn_of_doubt(converged: Any, said: str, stacklevel: int) -> None:

@@ -6,7 +6,6 @@ import dataclasses
 import math
 import os
 import wave
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,9 +16,7 @@ from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import BODIES, shown
 from stoss.export._files import whole_file
-
-if TYPE_CHECKING:
-    from stoss.results._impact import Impact
+from stoss.results._computed_impact import ComputedImpact
 
 QUALITY = 1000.0
 """Of modes of a material without a loss time."""
@@ -38,7 +35,7 @@ class Sound:
         slower (float): How many times slower it is than what happens.
     """
 
-    impact: Impact
+    impact: ComputedImpact
     of: int
     samples: NDArray[np.float64]
     rate: int
@@ -72,7 +69,7 @@ class Sound:
 
 @documented
 def sound(
-    self: Impact,
+    self: ComputedImpact,
     *,
     duration: float = 2.0,
     rate: int = 44100,

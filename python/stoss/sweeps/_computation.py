@@ -17,7 +17,7 @@ from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
 from stoss.bodies._state import choose_state
 from stoss.results._obliquity import choose_motion
-from stoss.results._result import QUANTITIES
+from stoss.results._quantities import QUANTITIES
 
 Point = Sequence[float]
 Accuracy = Mapping[str, Union[float, int]]

@@ -17,7 +17,8 @@ from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._solid import describe
 from stoss.results._distribution import summary_of
-from stoss.results._result import QUANTITIES, Column, Result, unit
+from stoss.results._quantities import QUANTITIES
+from stoss.results._result import Column, Result, unit
 from stoss.results._si import si_name
 from stoss.sweeps import _store
 from stoss.sweeps._grid import Grid

@@ -46,21 +46,6 @@ def test_units_are_those_of_a_sphere(bounce, tmp_path):
     assert impulse(path.force, path.time) == pytest.approx(0.1 * (1 + bounce.restitution), rel=1e-3)  # in mc
 
 
-def test_si():
-    ball = stoss.Sphere(radius=5e-3, material=STEEL, loss_time=0)
-    plain, si = stoss.restitution(BALL, speed=0.01), stoss.restitution(ball, speed=0.01 * ball.scales.speed)
-    assert si.restitution == pytest.approx(plain.restitution, rel=1e-12)
-    assert si.contact_time_si == pytest.approx(plain.contact_time * 5e-3 / math.sqrt(2.1e11 / 7850), rel=1e-9)
-    assert si.max_force_si == pytest.approx(plain.max_force * MASS * 5e-3**2 * 2.1e11, rel=1e-9)  # N
-    # Hertz: δ^{5/2} = (15/16) m v²/(E* √R), F = (4/3) E* √R δ^{3/2}.
-    mass, stiff = MASS * 7850 * 5e-3**3, 2.1e11 / (1 - 0.3**2)
-    slow = stoss.restitution(ball, speed=1e-2)
-    depth = (15 / 16 * mass * 1e-4 / (stiff * math.sqrt(5e-3))) ** 0.4
-    assert slow.max_force_si == pytest.approx(4 / 3 * stiff * math.sqrt(5e-3) * depth**1.5, rel=5e-3)
-    assert slow.max_compression_si == pytest.approx(depth, rel=5e-3)
-    assert "max_force_si[N]" in next(line for line in slow._lines() if not line.startswith("#"))
-
-
 def test_pairs(uneven):
     equal = stoss.restitution(BALL, against="same", speed=0.2)
     assert equal.restitution == stoss.restitution(BALL, against=BALL, speed=0.2).restitution

@@ -130,16 +130,6 @@ def test_restitution_at_any_number_of_threads():
     assert np.array_equal(one.restitution, many.restitution) and one.restitution[0] > 1
 
 
-def test_values_are_those_of_the_command(command):
-    mode = "--mode 2,0,energy=0.1,phase=2"
-    hit = stoss.impact(BALL, speed=0.01, cutoff=15, state=RINGING)
-    told = command(f"impact --body sphere --poisson 0.3 --speed 0.01 --cutoff 15 {mode}")["records"][0]
-    assert told["restitution"] == hit.restitution
-    curve = command(f"restitution --body sphere --poisson 0.3 --speed 0.01,0.1 {mode}")["records"]
-    mine = stoss.restitution(BALL, speed=[0.01, 0.1], state=RINGING)
-    assert [each["restitution"] for each in curve] == mine.restitution.tolist()
-
-
 @pytest.mark.parametrize(
     "state, message",
     [

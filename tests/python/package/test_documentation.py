@@ -75,9 +75,9 @@ def test_fields_have_the_words_of_their_base():
         """It is made."""
 
         law: "str"
-        lost_fraction: "Number"  # noqa: F821
-        lost_fraction_error: "Number"  # noqa: F821
+        restitution: "Number"  # noqa: F821
+        restitution_error: "Number"  # noqa: F821
 
     _documentation.with_fields(Made)
     assert "    law (str): Of its own.\n" in Made.__doc__
-    assert "    lost_fraction, lost_fraction_error (float or ndarray): 1 − ε²" in Made.__doc__
+    assert "    restitution, restitution_error (float or ndarray): ε = " in Made.__doc__

@@ -1,32 +1,35 @@
-"""The package's files import each other in one direction only: results know nothing of pictures."""
+"""Files import each other in one direction only, for types too: results know nothing of pictures."""
 
 import ast
 from pathlib import Path
 
+import pytest
 import stoss
 
-ROOT = Path(stoss.__file__).parent
+PACKAGE = Path(stoss.__file__).parent
+STUDIES = Path(__file__).parents[3] / "studies"
 
 
-def imported(tree):
-    """Names of modules that the code imports when it runs, in functions too; types only are left out."""
-    if isinstance(tree, ast.If) and getattr(tree.test, "id", "") == "TYPE_CHECKING":
-        return
-    if isinstance(tree, ast.ImportFrom) and tree.module:
-        yield tree.module
-        yield from (f"{tree.module}.{each.name}" for each in tree.names)
-    for child in ast.iter_child_nodes(tree):
-        yield from imported(child)
+def imported(path, package):
+    """Names of the modules that a file imports, at any place of it."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (each.name for each in node.names)
+        if isinstance(node, ast.ImportFrom):
+            above = package[: len(package) + 1 - node.level] if node.level else []
+            module = ".".join([*above, *filter(None, [node.module])])
+            yield from (module, *(f"{module}.{each.name}" for each in node.names))
 
 
-def test_no_circles():
-    files = {".".join(("stoss", *path.relative_to(ROOT).with_suffix("").parts)): path for path in ROOT.rglob("*.py")}
-    files = {name.removesuffix(".__init__"): path for name, path in files.items() if name != "stoss.__main__"}
-    needs = {name: {each for each in imported(ast.parse(path.read_text(encoding="utf-8"))) if each in files} - {"stoss"}
-             for name, path in files.items()}  # fmt: skip
+@pytest.mark.parametrize("root, name, some", [(PACKAGE, "stoss", 100), (STUDIES, "", 30)])
+def test_no_circles(root, name, some):
+    paths = [path for path in root.rglob("*.py") if path.name != "__main__.py"]
+    parts = {path: [*filter(None, [name]), *path.relative_to(root).with_suffix("").parts] for path in paths}
+    files = {".".join(own).removesuffix(".__init__"): path for path, own in parts.items()}
+    needs = {each: {*imported(path, parts[path][:-1])} & {*files} - {each, name} for each, path in files.items()}
     # The packages themselves collect their modules, which do not need what they collect.
-    needs = {name: each - {"stoss.plot"} if name.startswith("stoss.plot.") else each for name, each in needs.items()}
-    assert len(needs) > 30 and "stoss.results._result" in needs["stoss.results._restitution"]
-    while free := [name for name, each in needs.items() if not each]:
-        needs = {name: each - set(free) for name, each in needs.items() if name not in free}
+    needs = {each: own - {"stoss.plot"} if each.startswith("stoss.plot.") else own for each, own in needs.items()}
+    assert len(needs) > some
+    while free := [each for each, own in needs.items() if not own]:
+        needs = {each: own - {*free} for each, own in needs.items() if each not in free}
     assert not needs

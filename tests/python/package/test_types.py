@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import stoss
+from stoss.results import _quantities
 
 OPAQUE = ("Contact", "Encounter", "Frames", "Impact", "ObliqueImpact", "PairTable",
           "RefinableContact", "RestitutionFunction", "RodChain", "RuleTable", "SlowLaw")  # fmt: skip
@@ -42,6 +43,11 @@ def test_stubs_are_those_of_the_compiled_module(tmp_path):
 def test_types_are_shipped():
     assert (Path(stoss.__file__).parent / "py.typed").is_file()
     assert (Path(stoss.__file__).parent / "_core.pyi").is_file()
+
+
+def test_types_of_quantities_are_those_of_the_tables():
+    made = Path(_quantities.__file__).with_suffix(".pyi")
+    assert made.read_text(encoding="utf-8") == _quantities.types()  # written by the setup of the package
 
 
 def test_users_get_types(tmp_path):

@@ -5,7 +5,6 @@ import dataclasses
 import json
 import math
 import pickle
-import warnings
 
 import numpy as np
 import pytest
@@ -25,36 +24,6 @@ SPEEDS = (1e-12, 1e-6, 1e-3, 0.1)
 def same(result, records, names):
     for name in names:
         assert np.ravel(getattr(result, name)).tolist() == [record[name] for record in records], name
-
-
-@pytest.mark.parametrize("law", ["center", "hertz"])
-def test_slow_impacts_are_those_of_the_command(command, law):
-    listed = ",".join(map(repr, SPEEDS))
-    records = command(f"quasistatic --body sphere --poisson 0.3 --speed {listed} --law {law} --cutoff 15")["records"]
-    alike = ("poisson", "speed", "contact_time", "max_compression", "max_force", "max_radius")
-    same(quasistatic.slow_impact(BALL, speed=SPEEDS, law=law), records, alike)
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        estimate = quasistatic.rayleigh(BALL, speed=SPEEDS, law=law, cutoff=15)
-    beyond = np.count_nonzero(estimate.beyond_perturbation)
-    assert [str(each.message).partition(":")[0] for each in caught] == (
-        [f"{beyond} of 4 values beyond perturbation theory"] if beyond else []
-    )
-    assert beyond or law == "hertz"
-    more = ("lost_fraction", "lost_fraction_error", "mean_lost_fraction", "kinetic_share", "beyond_perturbation",
-            "modes")  # fmt: skip
-    same(estimate, records, alike + more)
-    assert estimate.mode_energies is None
-
-
-def test_driven_modes_are_those_of_the_command(command):
-    answer = command("quasistatic --body sphere --poisson 0.3 --speed 1e-4 --cutoff 30")
-    estimate = quasistatic.rayleigh(BALL, speed=1e-4, cutoff=30)
-    assert estimate.to_dict()["mode_energies"] == answer["modes"] and estimate.modes == len(answer["modes"]) > 300
-    modes = stoss.modes(BALL, cutoff=30)
-    assert estimate.mode_energies["after"] == pytest.approx(
-        (modes.radial * estimate.mode_energies["amplitude"]) ** 2, rel=1e-13
-    )
 
 
 @pytest.mark.parametrize("law", ["center", "hertz"])

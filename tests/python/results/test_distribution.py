@@ -68,31 +68,12 @@ def test_spectrum_in_several_ways(ensemble):
     assert falling.spectrum["energy"] == pytest.approx(0.1 * np.exp(-modes.omega), rel=1e-9)
 
 
-def test_values_are_those_of_the_command(command, ensemble):
-    told = command("distribution --body sphere --poisson 0.3 --speed 0.01 --temperature 0.01 --samples 40 --seed 7")
-    assert [each["restitution"] for each in told["records"]] == ensemble.restitution.tolist()
-    assert told["summary"]["restitution"] == ensemble.mean
-    assert told["summary"]["restitution_statistical_error"] == ensemble.mean_error
-    assert [*told["records"][0]] == list(ensemble._dimensions())
-
-
 def test_two_bodies_and_half_spaces():
     pair = stoss.restitution_distribution(BALL, against="same", speed=0.02, temperature=0.02, samples=5, highest=5)
     assert set(pair.spectrum["body"]) == {0, 1} and "against Sphere" in repr(pair)
     ground = stoss.restitution_distribution(BALL, against=stoss.HalfSpace(), speed=0.02, temperature=0.02, samples=3)
     assert set(ground.spectrum["body"]) == {0}
     assert ground.restitution.max() < pair.restitution.min()  # waves run away for good
-
-
-def test_si(tmp_path):
-    ball = stoss.Sphere(radius=0.01, material=stoss.materials["structural steel"], loss_time=0)
-    si = stoss.restitution_distribution(ball, speed=1.0, temperature=0.1, samples=2)
-    assert si.speed == pytest.approx(1.0 / ball.scales.speed)
-    assert si.contact_time_si == pytest.approx(si.contact_time * ball.scales.time)
-    si.to_csv(tmp_path / "si.csv")
-    assert "contact_time_si[s],contact_time_si_error[s]" in (tmp_path / "si.csv").read_text()
-    with pytest.raises(AttributeError, match="no material"):
-        _ = warm(samples=1).contact_time_si
 
 
 def test_files_and_copies(ensemble, tmp_path):

@@ -9,37 +9,11 @@ import stoss
 BALL = stoss.Sphere(poisson=0.3)
 STEEL = stoss.Material(young=2.1e11, poisson=0.3, density=7850)
 SHOT = stoss.Sphere(radius=0.01, material=STEEL)
-COLUMNS = [name for name, *_ in stoss._core.quantities["oblique"]]
 
 
 @pytest.fixture(scope="module")
 def fan():
     return stoss.oblique(BALL, speed=[[0.01], [0.05]], angle=[-30, 5, 45], friction=0.2)
-
-
-@pytest.mark.parametrize(
-    "arguments, result",
-    [
-        ("--body sphere --poisson 0.3 --tangential 0.02 --spin 0.01 --friction 0.3",
-         lambda: stoss.oblique(BALL, speed=0.05, tangential=0.02, spin=0.01, friction=0.3)),
-        ("--body sphere --poisson 0.3 --angle 20 --second-spin 0.01 --friction 0.3 --against sphere,radius=2",
-         lambda: stoss.oblique(BALL, speed=0.05, angle=20, second_spin=0.01, friction=0.3,
-                               against=stoss.Sphere(poisson=0.3, radius=2))),
-        ("--poisson 0.33 --tangential 0.05 --friction 0.3 --tolerance 0.1",
-         lambda: stoss.oblique(stoss.Disk(poisson=0.33), speed=0.05, tangential=0.05, friction=0.3, tolerance=0.1)),
-        ("--body sphere --poisson 0.3 --tangential 0.02 --friction 0.3 --mode 2,0,energy=0.1,phase=1",
-         lambda: stoss.oblique(BALL, speed=0.05, tangential=0.02, friction=0.3,
-                               state=stoss.Oscillation(2, 0, energy=0.1, phase=1))),
-    ],
-    ids=["ball", "balls", "disk", "ringing"],
-)  # fmt: skip
-def test_bits_are_those_of_the_command(command, arguments, result):
-    (record,) = command(f"oblique --speed 0.05 {arguments}")["records"]
-    ours = result()
-    for name in COLUMNS:
-        if name != "runs":
-            assert getattr(ours, name) == record[name], name
-    assert ours.runs == len(record["runs"]) and ours.spin_after_error == record["spin_after_error"]
 
 
 def test_arrays_broadcast_and_are_the_values_one_by_one(fan):
@@ -105,31 +79,6 @@ def test_tables_have_units_and_errors(fan, tmp_path):
     angles = stoss.oblique(BALL, speed=0.05, tangential=[0.01, 0.02], friction=0.2)
     assert angles.to_xarray().restitution.dims == ("tangential",)
     assert json.loads(json.dumps(fan.to_dict()))["tolerance"] == 0.01
-
-
-def test_si():
-    c, turn = SHOT.scales.speed, SHOT.scales.frequency
-    si = stoss.oblique(SHOT, speed=5.0, tangential=2.0, spin=100.0, friction=0.1)
-    own = stoss.oblique(BALL, speed=5 / c, tangential=2 / c, spin=100 / turn, friction=0.1)
-    assert si.sliding_after == own.sliding_after and si.spin_after_error == own.spin_after_error
-    assert (si.speed_si, si.tangential_si, si.spin_si, si.second_spin_si) == pytest.approx((5, 2, 100, 0))
-    assert si.sliding_si == pytest.approx(3) and si.spin_after_si == own.spin_after * turn
-    assert stoss.oblique(SHOT, speed=5.0, angle=45, friction=0.1).tangential_si == pytest.approx(5)
-    with pytest.raises(AttributeError, match="spin_after_si: this result has no material"):
-        _ = own.spin_after_si
-
-
-def test_si_columns_are_those_of_the_command(command, tmp_path):
-    material = "--young 2.1e11 --density 7850 --radius 0.01 --poisson 0.3"
-    document = command(f"oblique --body sphere {material} --speed 5 --tangential 2 --spin 100 --friction 0.1")
-    units, (record,) = document["units"], document["records"]
-    stoss.oblique(SHOT, speed=5.0, tangential=2.0, spin=100.0, friction=0.1).to_csv(tmp_path / "x.csv")
-    columns, values = [line.split(",") for line in (tmp_path / "x.csv").read_text().splitlines()[-2:]]
-    theirs = {f"{name}[{units[name]}]" if name in units else name: record[name] for name in record if name != "ledger"}
-    theirs["runs"] = len(record["runs"])
-    assert sorted(columns) == sorted(theirs)
-    for column, value in zip(columns, values):
-        assert json.loads(value) == pytest.approx(theirs[column], rel=1e-12), column
 
 
 def test_nothing_slides_before():

@@ -125,23 +125,6 @@ def test_it_is_repeated_where_it_is_copied(hit):
         assert again.trajectory().slip.tobytes() == hit.trajectory().slip.tobytes()
 
 
-def test_si():
-    c, turn = SHOT.scales.speed, SHOT.scales.frequency
-    si = stoss.oblique_impact(SHOT, speed=5.0, tangential=2.0, spin=100.0, friction=0.1)
-    own = stoss.oblique_impact(BALL, speed=5 / c, tangential=2 / c, spin=100 / turn, friction=0.1)
-    assert si.sliding_after == own.sliding_after and si.energy.friction == own.energy.friction
-    assert (si.speed_si, si.tangential_si, si.spin_si) == pytest.approx((5, 2, 100))
-    assert si.max_force_si == pytest.approx(own.max_force * SHOT.scales.force)
-    path = si.trajectory()
-    assert path.time.tolist() == own.trajectory().time.tolist()
-    assert path.time_si == pytest.approx(path.time * SHOT.scales.time)
-    assert path.spin_si[0] == pytest.approx(100) and path.tangential_si[0] == pytest.approx(2)
-    assert path.friction_si == pytest.approx(path.friction * SHOT.scales.force)
-    assert "time_si" in path.to_dataframe() and "time_si" not in own.trajectory().to_dataframe()
-    with pytest.raises(AttributeError, match="time_si: this result has no material"):
-        _ = own.trajectory().time_si
-
-
 def test_lines_say_the_essential(hit, path):
     assert repr(hit).startswith("ObliqueImpact(") and "speed=0.05 c, tangential=" in repr(hit)
     assert f"{len(path)} rows, {path.place.size} points, time 0 to " in repr(path)
@@ -196,10 +179,3 @@ def test_curves_have_ledgers():
     assert one.energy.to_dataframe().shape == (1, 10) and len(fan.energy.to_dict()["friction"]) == 2
     with pytest.raises(TypeError):
         len(one.energy)
-
-
-def test_the_ledger_is_that_of_the_command(command):
-    arguments = "--poisson 0.33 --speed 0.05 --tangential 0.05 --friction 0.3 --tolerance 0.1"
-    (record,) = command(f"oblique {arguments}")["records"]
-    ours = stoss.oblique(PLATE, speed=0.05, tangential=0.05, friction=0.3, tolerance=0.1)
-    assert ours.energy.to_dict() == record["ledger"]
