@@ -59,4 +59,4 @@ def test_build_names_what_it_imports():
     build = tomllib.loads((ROOT / "pyproject.toml").read_text())["build-system"]
     names = {requirement.partition(">=")[0] for requirement in build["requires"]}
     # setuptools makes a wheel with `wheel`, unless it is newer than 70.
-    assert names == {"setuptools", "wheel", "pybind11"}
+    assert names == {"setuptools", "wheel", "pybind11", "numpy"}

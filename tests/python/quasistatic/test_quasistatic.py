@@ -138,7 +138,7 @@ def test_shapes_broadcast():
             alone = make(poisson=nus[i, 0], speed=speeds[j])
             for field in dataclasses.fields(alone):
                 value = getattr(alone, field.name)
-                if field.name not in ("law", "cutoff", "body", "mode_energies"):
+                if field.name not in ("law", "cutoff", "body", "mode_energies", "max_radius", "mean_lost_fraction"):
                     assert type(value) in (float, int, bool) and getattr(many, field.name)[i, j] == value
     assert type(quasistatic.compression(force=0.01, poisson=0.3)) is float
     assert quasistatic.compression(force=[[0.01]], poisson=[0.3, 0.2]).shape == (1, 2)
