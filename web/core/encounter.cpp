@@ -9,6 +9,9 @@
 #include "stoss/encounter/schema.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"
+#include "stoss/impact/quantities.hpp"
+#include "stoss/prediction/quantities.hpp"
+#include "stoss/restitution/quantities.hpp"
 #include "stoss/version.hpp"
 
 namespace stoss {
@@ -105,6 +108,17 @@ val version(const Question&) { return val(std::string(stoss::version())); }
 /// The schema of documents, of which web/plugins/documents.mjs makes their types.
 val schema(const Question&) { return val(encounter_schema()); }
 
+/// The quantities of answers with what they are, as JSON: web/plugins/kinds.mjs makes their types.
+val quantities(const Question&) {
+  Json all;
+  const auto add = [&](const auto& table) {
+    for (const auto& each : table) all[each.name] = each.help;
+  };
+  add(restitution_quantities()), add(oblique_quantities()), add(prediction_quantities());
+  add(impact_quantities()), add(oblique_ledger_quantities());
+  return val(all.dump());
+}
+
 /// The table of kinds and the named materials, as JSON: web/plugins/kinds.mjs writes them for the page.
 val kinds(const Question&) { return val(Json{{"kinds", stoss::kinds()}, {"materials", named_materials()}}.dump()); }
 
@@ -147,6 +161,7 @@ val series(const Question& asked) { return float64_array(parse_series(asked.text
 EMSCRIPTEN_BINDINGS(encounter) {
   emscripten::function("version", &answered<version>);
   emscripten::function("schema", &answered<schema>);
+  emscripten::function("quantities", &answered<quantities>);
   emscripten::function("kinds", &answered<kinds>);
   emscripten::function("units", &answered<units>);
   emscripten::function("speed", &answered<speed>);

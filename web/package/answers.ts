@@ -1,4 +1,5 @@
 // What the core is asked of a motion, and what it answers. Words are those of the command: stoss --help.
+import type { Quantities } from './generated/quantities.js';
 
 /** What an encounter's numbers are measured in. */
 export interface Units {
@@ -29,12 +30,13 @@ export interface Quantity {
   error?: number;
 }
 
+/** The quantities of a result: in units of the first body; with a material, where they have a dimension, besides in SI. */
+export type Numbers = Quantities<Quantity> & { readonly [Name in `${keyof Quantities<0>}_si`]?: Quantity };
+
 /** ε of one speed: what `stoss restitution --format json` prints, by the same names. */
 export interface Restitution {
   speed: number;
-  /** restitution, lost_fraction, contact_time, max_force, max_compression, … in units of the first body; with `si`
-   *  besides contact_time_si, … */
-  quantities: Record<string, Quantity>;
+  quantities: Numbers;
   converged: boolean;
   /** why not converged; '' */
   reason: string;
@@ -191,8 +193,8 @@ export interface Influence {
 /** ε of one speed with all channels: what `stoss predict --format json` prints. */
 export interface Prediction {
   speed: number;
-  /** restitution, by_models, by_constants, models_low, models_high, restitution_without_models, … in SI */
-  quantities: Record<string, Quantity>;
+  /** in SI */
+  quantities: Quantities<Quantity>;
   channels: Channel[];
   /** the name of the one with the largest share */
   dominant: string;

@@ -4,6 +4,7 @@ import { loader } from './methods.js';
 
 export { type Ask, type CompiledCore, CoreError, type Deliver, instantiate } from './core.js';
 export type { Against, Encounter, First, Material, ModalBody } from './generated/documents.js';
+export type { Quantities } from './generated/quantities.js';
 export type { NamedMaterial, Options, Stoss } from './methods.js';
 export type * from './answers.js';
 export type { Questions, QuickQuestions } from './questions.js';

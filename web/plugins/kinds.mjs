@@ -1,5 +1,5 @@
 // Writes what the core knows of bodies: src/generated/kinds.ts, its table of kinds and its named materials, for the
-// types and texts of the page; package/generated/documents.ts, the types of encounters, for the package.
+// types and texts of the page; package/generated/, the types of encounters and of results, for the package.
 //   node kinds.mjs FOLDER    that of the core, stoss.mjs and stoss.wasm
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
@@ -23,3 +23,8 @@ const constant = (name, value) => `export const ${name} = ${JSON.stringify(value
 write('src/generated/kinds.ts',
   `// Made by plugins/kinds.mjs from the core.\n${constant('kinds', kinds)}${constant('materials', materials)}`);
 write('package/generated/documents.ts', typesOf(asked('schema')));
+const members = Object.entries(asked('quantities')).map(([name, help]) => `  /** ${help} */\n  readonly ${name}?: Value;\n`);
+write('package/generated/quantities.ts', `// Made by web/plugins/kinds.mjs of the core's tables of quantities.
+
+/** Quantities of results, by the names of the command. */
+export interface Quantities<Value> {\n${members.join('')}}\n`);

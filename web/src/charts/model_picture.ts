@@ -38,7 +38,7 @@ export interface ModelPoint {
 export function modelPoints(predictions: readonly Prediction[]): ModelPoint[] {
   return predictions.map(({ speed, quantities }): ModelPoint => {
     const [restitution = NaN, low = NaN, high = NaN] =
-      ['restitution', 'models_low', 'models_high'].map((name) => quantities[name]?.value);
+      (['restitution', 'models_low', 'models_high'] as const).map((name) => quantities[name]?.value);
     return { speed, restitution, error: quantities.restitution?.error ?? 0, low, high };
   }).filter(({ restitution }) => Number.isFinite(restitution)).sort((a, b) => a.speed - b.speed);
 }

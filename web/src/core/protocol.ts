@@ -4,7 +4,7 @@ import type * as stoss from 'stoss';
 export { CoreError, type Deliver } from 'stoss';
 export type {
   AnglePoint, BodyFrame, Channel, Collision, Course, CurvePoint, Elastic, Encounter, Frame, Grid, ModeEnergy, ObliqueCollision,
-  Prediction, Quantity, Restitution, Shape, Thresholds, Units,
+  Prediction, Quantities, Quantity, Restitution, Shape, Thresholds, Units,
 } from 'stoss';
 
 /** How they meet, in full. */

@@ -65,8 +65,8 @@ const pair = (name: string, value: unknown, note: unknown = nothing): TemplateRe
 /** The panel of a prediction. */
 function panelOf(encounter: Encounter, prediction: Prediction): TemplateResult {
   const { quantities, channels, dominant, warnings } = prediction;
-  const number = (name: string): number => quantities[name]?.value ?? NaN;
-  const height = (name: string): string => withUnit(number(name), 'm');
+  const number = (name: keyof typeof quantities): number => quantities[name]?.value ?? NaN;
+  const height = (name: keyof typeof quantities): string => withUnit(number(name), 'm');
   const { value, uncertain } = uncertaintiesInWords(prediction);
   const sticks = number('restitution') === 0;
   const longest = Math.max(...channels.map(({ share }) => share));

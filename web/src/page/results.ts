@@ -1,6 +1,6 @@
 // ε and what belongs to it, as text.
 import { html, nothing, render } from 'lit-html';
-import type { Encounter, Quantity, Restitution } from '../core/protocol';
+import type { Encounter, Quantities, Quantity, Restitution } from '../core/protocol';
 import { find } from '../drawing/dom';
 import { prefixFor, significant, withError } from '../drawing/numbers';
 import { meetingOf, meetsBody } from '../inputs/document';
@@ -8,8 +8,11 @@ import { gravity } from '../scene/hop_film';
 
 export type Stage = 'first' | 'final';
 
+/** A quantity of a result, which may be there in SI too. */
+type Name = keyof Quantities<Quantity>;
+
 /** What becomes of the motion along the surface and of the energy. */
-const afterwards = [
+const afterwards: readonly Name[] = [
   'sliding', 'tangential_after', 'spin_after', 'second_spin_after', 'friction_loss', 'vibration', 'dissipated',
   'translation', 'across', 'rotation', 'second_rotation',
 ];
@@ -27,7 +30,7 @@ function shown(quantity: Number, digits = shownNumber): string {
 }
 
 /** A quantity of a result, in SI where it is known. */
-export function shownQuantity(result: Restitution, name: string): string {
+export function shownQuantity(result: Restitution, name: Name): string {
   const quantity = result.quantities[`${name}_si`] ?? result.quantities[name];
   return quantity === undefined ? '–' : shown(quantity);
 }
@@ -81,7 +84,7 @@ export function flags(
 ): string[] {
   // The core's advice is about a tolerance, which is no input here.
   const why = reason.replace(/; try an? [^;]*$/, '') || 'tolerance not reached';
-  const digits = (name: string, count: number): string => significant(quantities[name]?.value ?? NaN, count);
+  const digits = (name: Name, count: number): string => significant(quantities[name]?.value ?? NaN, count);
   const coupling = Math.abs(quantities.coupling_tangential_restitution?.value ?? 0);
   return [
     coupling <= noticeableCoupling ? ''

@@ -110,7 +110,7 @@ async function hop(
     const rule = await core('oblique', encounter,
       { ...motion, ...meeting(flight, surface), tolerance: TOLERANCE }, { signal });
     signal.throwIfAborted();
-    const value = (name: string): number => rule.quantities[name]?.value ?? NaN;
+    const value = (name: keyof typeof rule.quantities): number => rule.quantities[name]?.value ?? NaN;
     const [restitution, along] = [value('restitution'), value('tangential_restitution')];
     if (Number.isNaN(restitution)) throw new Error(rule.reason);
     const words = `${impacts.length + 1}, ${surface}: ε ${written(restitution, 3)}, εₜ ${written(along, 3)}`;

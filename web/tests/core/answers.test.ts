@@ -1,11 +1,11 @@
 // Every number of an answer of the page's core is that of the native command, with its error.
 import { describe, expect, it } from 'vitest';
 import { thresholdsOf } from '../../src/core/local';
-import type { AnglePoint, Encounter, Quantity } from '../../src/core/protocol';
+import type { AnglePoint, Encounter, Quantity, Restitution } from '../../src/core/protocol';
 import { type Body, type Choice, encounterOf, unitBody } from '../../src/inputs/document';
 import { motionOf } from '../../src/inputs/inputs';
 import { encounterArguments } from '../../src/inputs/lines';
-import { curveSpeeds } from '../../src/inputs/units';
+import { barSpeed, curveSpeeds } from '../../src/inputs/units';
 import { cases, like, made, obliqueCases } from '../unit/cases';
 import { type Row, hasCommand, oblique, prediction, restitution, run } from './native';
 import { ask } from './wasm';
@@ -19,9 +19,9 @@ const shares = ['lost_fraction', 'lost_to_first', 'lost_to_second', 'dissipated'
 
 /** How many numbers are those of the command, to `same` of their size and `least`: sums of vectors of another length round
  *  differently. An error, often of a difference of such numbers, is known to a hundred times that. */
-function compare(ours: Record<string, Quantity>, row: Row, same: number, least: number): number {
+function compare(ours: Restitution['quantities'], row: Row, same: number, least: number): number {
   let count = 0;
-  for (const [name, { value, error, help }] of Object.entries(ours)) {
+  for (const [name, { value, error, help }] of Object.entries(ours) as [string, Quantity][]) {
     const theirs = row[name];
     // One is all rounding; one a list; and one by that name the coefficient that was given.
     if (['energy_error', 'runs', 'friction'].includes(name) || typeof theirs !== 'number') continue;
@@ -55,6 +55,7 @@ describe.skipIf(!hasCommand)('an answer', { timeout: 60_000 }, () => {
       const row = restitution(encounter, speed, wanted);
       const ours = ask('restitution', encounter, { speed, tolerance: wanted }).value;
       expect(ours.converged).toBe(row.converged);
+      expect(Math.abs((row.speed as number) * barSpeed(encounter) / speed - 1)).toBeLessThan(1e-12);
       expect(compare(ours.quantities, row, 1e-12, 0)).toBeGreaterThan(10);
       const yields = row.yield_speed_si as number | undefined;
       expect(ours.yieldSpeed === undefined).toBe(yields === undefined);

@@ -13,7 +13,7 @@ const plain = like(ball, { si: false, against: 'wall' });
 /** Numbers of the core with what they are. */
 function result(speed: number, restitution: Number, more: Partial<Restitution> = {}, others: Record<string, Number> = {}): Restitution {
   const quantities = Object.fromEntries(
-    Object.entries({ restitution, ...others }).map(([name, each]) => [name, { help: '', ...each }]));
+    Object.entries({ restitution, ...others }).map(([name, each]) => [name, { help: '', ...each }])) as Restitution['quantities'];
   return { speed, quantities, converged: true, reason: '', note: '', cutoff: 8, beyondSmallStrain: false, ...more };
 }
 
