@@ -50,11 +50,6 @@ void add_quasistatic() {
   add("static contact of all modes, δ = 0.03 R", [](benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(stoss::quasistatic::static_contact(poisson, 0.03).force);
   });
-  add("the paper's relaxation, 1300 modes, αR = 500, δ = 0.03 R", [](benchmark::State& state) {
-    const stoss::Body& body = disk_body(53.3);
-    for (auto _ : state) benchmark::DoNotOptimize(stoss::quasistatic::soft_static_contact(body, {}, 0.03).force);
-    state.counters["modes"] = static_cast<double>(stoss::mode_count(body));
-  });
 }
 
 }  // namespace bench

@@ -14,7 +14,6 @@
 #include "stoss/impact/impact.hpp"
 #include "stoss/impact/replay.hpp"
 #include "stoss/quasistatic.hpp"
-#include "stoss/restitution/extrapolation.hpp"
 #include "stoss/restitution/restitution.hpp"
 #include "support/body_tools.hpp"
 
@@ -68,22 +67,12 @@ const std::map<std::string, Job>& jobs() {
        {5000, [](const Poll& poll) { (void)motion(contact(body()), hit(), std::vector<double>(5000, 1e3), poll); }}},
       {"restitution",
        {400, [](const Poll& poll) { (void)restitution(disk(0.33), 0.1, {.tolerance = 1e-2, .poll = poll}); }}},
-      {"extrapolation",
-       {400,
-        [](const Poll& poll) {
-          (void)extrapolated_restitution(0.33, 0.1, {{8, 9, 10}, {}, poll});
-        }}},
       {"points of a field",
        {1000, [](const Poll& poll) { (void)DiskField(0.33, body(), grid().points, points, poll); }}},
       {"field",
        {100,
         [](const Poll& poll) { (void)DiskField(0.33, body(), grid().points, points).at(coordinate, force, poll); }}},
       {"static contact", {60, [](const Poll& poll) { (void)static_contact(0.33, 0.01, {.poll = poll}); }}},
-      {"soft static contact",
-       {20,
-        [](const Poll& poll) {
-          (void)soft_static_contact(body(), {}, 0.01, {{}, poll});
-        }}},
       {"rayleigh", {60, [](const Poll& poll) { (void)rayleigh(CompressionLaw::center, 0.33, 1e-3, modes, poll); }}},
   };
   return all;

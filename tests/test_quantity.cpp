@@ -76,14 +76,11 @@ TEST(Quantities, HaveNamesAndSentencesOfTheirOwn) {
   expect_names_and_sentences(oblique_snapshot_quantities());
   expect_names_and_sentences(restitution_quantities());
   expect_names_and_sentences(run_quantities());
-  expect_names_and_sentences(extrapolation_quantities());
-  expect_names_and_sentences(soft_impact_quantities());
   expect_names_and_sentences(bodies::disk::mode_quantities());
   expect_names_and_sentences(bodies::sphere::mode_quantities());
   expect_names_and_sentences(quasistatic::slow_impact_quantities());
   expect_names_and_sentences(quasistatic::rayleigh_quantities());
   expect_names_and_sentences(quasistatic::driven_mode_quantities());
-  expect_names_and_sentences(quasistatic::soft_static_contact_quantities());
   expect_names_and_sentences(quasistatic::point_slow_impact_quantities());
   expect_names_and_sentences(quasistatic::point_rayleigh_quantities());
   expect_names_and_sentences(oblique_ledger_quantities());

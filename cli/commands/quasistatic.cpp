@@ -160,8 +160,7 @@ void compressions(const QuasistaticArguments& arguments, const Of& of, const Yie
 CompressionLaw line_law(const std::string& law) {
   if (law == "center") return CompressionLaw::center;
   if (law == "diameter") return CompressionLaw::diameter;
-  if (law == "printed") return CompressionLaw::printed;
-  throw InvalidInput(fmt::format("law: got {} with --body disk, allowed center, diameter or printed", law));
+  throw InvalidInput(fmt::format("law: got {} with --body disk, allowed center or diameter", law));
 }
 
 PointLaw point_law(const std::string& law) {
@@ -212,7 +211,7 @@ void add_quasistatic(CLI::App& app) {
   auto* speed = add(command, "--speed", arguments.speeds,
                     "Slow impacts at these speeds, in c (m/s with a material): a number,\n"
                     "a,b,c, log:a:b:n or lin:a:b:n; 1e-100 c (of a sphere 1e-12 c) to\n"
-                    "0.14 c or more, where the law ends",
+                    "0.16 c or more, where the law ends",
                     "SPEEDS", "Body");
   add(command, "--compression", arguments.compressions,
       "In place of --speed: static contacts at these compressions, in R\n"
@@ -222,11 +221,10 @@ void add_quasistatic(CLI::App& app) {
       "law, and the force of the exact static contact with its error",
       "DELTAS", "Body")
       ->excludes(speed);
-  add_choice(command, "--law", arguments.law, {"center", "diameter", "printed", "hertz"},
+  add_choice(command, "--law", arguments.law, {"center", "diameter", "hertz"},
              "Force against compression (default: center)\n"
              "  center:   approach of the centre of mass to the wall\n"
              "  diameter: of a disk, shortening of the diameter between two walls\n"
-             "  printed:  of a disk, as Gerl and Zippelius print it\n"
              "  hertz:    of a sphere, two half-spaces",
              "LAW", "Body");
   add(command, "--cutoff", arguments.cutoff,

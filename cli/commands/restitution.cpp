@@ -2,10 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 #include "app.hpp"
-#include "commands/job.hpp"
 #include "input/encounter.hpp"
+#include "output/fields.hpp"
+#include "output/row_run.hpp"
 #include "process/process.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"
@@ -16,38 +19,73 @@
 namespace stoss::cli {
 namespace {
 
+/// The impacts of `stoss restitution`: for each Poisson's ratio all speeds.
+struct Job {
+  Encounter encounter;
+  std::vector<double> poissons;
+  std::vector<double> speeds;  ///< c
+  Units units = units_of(encounter);
+
+  [[nodiscard]] std::size_t size() const { return poissons.size() * speeds.size(); }
+  [[nodiscard]] double poisson(std::size_t row) const { return poissons[row / speeds.size()]; }
+  [[nodiscard]] double speed(std::size_t row) const { return speeds[row % speeds.size()]; }
+
+  /// What meets at one of the Poisson's ratios, at any cutoff.
+  [[nodiscard]] RefinableContact contact(double poisson) const;
+
+  /// What tells a row from the others, with which it begins; with a material the speed in SI besides.
+  [[nodiscard]] Row key(std::size_t row) const;
+
+  /// A row: its key, the fields of its result, and what is said of yielding.
+  template <typename Result>
+  [[nodiscard]] Row row(std::size_t row, const Fields<Result>& fields, const Result& result) const {
+    Row made = key(row);
+    append(made, fields.row(result), yielding(encounter).row(speed(row)));
+    return made;
+  }
+
+  /// All its rows, with the columns of the results; the job must outlive them.
+  [[nodiscard]] RowPlan plan(const Columns& results) const;
+};
+
+RefinableContact Job::contact(double poisson) const {
+  Encounter its = encounter;
+  if (!units.si && has_poisson(its.first)) its.first.values["poisson"] = poisson;
+  return refinable(its);
+}
+
+Row Job::key(std::size_t row) const {
+  Row key;
+  if (has_poisson(encounter.first)) key.emplace_back(poisson(row));
+  append(key, speed_row(units, speed(row)));
+  return key;
+}
+
+RowPlan Job::plan(const Columns& results) const {
+  Columns columns;
+  if (has_poisson(encounter.first)) columns.push_back({"poisson", "", units.si ? 0 : 8});
+  append(columns, speed_columns(units), results, yielding(encounter).columns());
+  const auto name = [this](std::size_t row) {
+    const std::string body = has_poisson(encounter.first) ? fmt::format("poisson {}, ", poisson(row)) : "";
+    return fmt::format("{}speed {:.6g} c", body, speed(row));
+  };
+  return {.size = size(),
+          .columns = columns,
+          .key = [this](std::size_t row) { return key(row); },
+          .name = name,
+          .encounter = encounter};
+}
+
 struct RestitutionArguments {
   EncounterOptions who;
   std::string poissons;
   std::string speeds;
-  std::string method = "converge";
   double tolerance = 1e-3;
   double absolute = 1e-6;
   int threads = 0;
   RowOptions rows;
   CLI::App* command = nullptr;
-
-  [[nodiscard]] bool converges() const { return method == "converge"; }
 };
-
-void check_method(const RestitutionArguments& arguments) {
-  for (const std::string name : {"tolerance", "absolute", "threads", "loss-time", "mode"}) {
-    if (!arguments.converges() && given(*arguments.command, "--" + name)) {
-      throw InvalidInput(
-          fmt::format("{0}: got --{0} with --method extrapolate, allowed only with --method converge", name));
-    }
-  }
-}
-
-void check_against(const RestitutionArguments& arguments, const Encounter& encounter) {
-  refuse_soft(encounter, " (stoss impact meets an exponential wall)");
-  const std::string& kind = encounter.against.kind;
-  if (!arguments.converges() && (kind != "wall" || encounter.first.kind != "disk")) {
-    throw InvalidInput(
-        fmt::format("against: got --body {} --against {} with --method extrapolate, allowed a disk at a wall",
-                    encounter.first.kind, kind));
-  }
-}
 
 Job make_job(RestitutionArguments& arguments) {
   std::vector<double> poissons{0.0};  // of what has none
@@ -56,7 +94,7 @@ Job make_job(RestitutionArguments& arguments) {
     arguments.who.first.set_poisson(poissons.front());
   }
   Job job{arguments.who.encounter(), std::move(poissons), {}};
-  check_against(arguments, job.encounter);
+  refuse_soft(job.encounter, " (stoss impact meets an exponential wall)");
   if (job.units.si && job.poissons.size() > 1) {
     throw InvalidInput(fmt::format("poisson: got {} numbers with a material, allowed one (a material has only one)",
                                    job.poissons.size()));
@@ -71,16 +109,13 @@ Job make_job(RestitutionArguments& arguments) {
 }
 
 Provenance describe(const RestitutionArguments& arguments, const Job& job) {
-  Provenance provenance{arguments.converges() ? "restitution" : "extrapolation", command_line(), {}};
+  Provenance provenance{"restitution", command_line(), {}};
   auto& inputs = provenance.inputs;
   cli::describe(job.encounter, inputs);
   if (!job.units.si && has_poisson(job.encounter.first)) inputs["poisson"] = as_typed(arguments.poissons);
   inputs[job.units.si ? "speed[m/s]" : "speed"] = as_typed(arguments.speeds);
-  inputs["method"] = arguments.method;
-  if (arguments.converges()) {
-    inputs["tolerance"] = arguments.tolerance;
-    inputs["absolute"] = arguments.absolute;
-  }
+  inputs["tolerance"] = arguments.tolerance;
+  inputs["absolute"] = arguments.absolute;
   return provenance;
 }
 
@@ -131,37 +166,23 @@ void compute(const Job& job, RowRun& run, CurveOptions options, const Fields<Res
   });
 }
 
-/// The cutoff is raised until the error is small enough. The job must outlive the method.
-/// @param asked tolerances, threads and vibration
-Method converging(const Job& job, const CurveOptions& asked) {
-  check(job, asked);
-  const Fields<Restitution> its = restitution_fields(job.units);
-  return {job.plan(its.columns()), [&job, asked, its](RowRun& run) { compute(job, run, asked, its); }};
-}
-
 void run(const RestitutionArguments& asked) {
   RestitutionArguments arguments = asked;
-  check_method(arguments);
   arguments.rows.redirect();
   const Job job = make_job(arguments);
   const CurveOptions options{
       .each = {.tolerance = arguments.tolerance, .absolute = arguments.absolute, .vibration = job.encounter.vibration},
       .threads = arguments.threads};
-  const Method method = arguments.converges() ? converging(job, options) : extrapolating(job);
-  RowRun run(method.plan, arguments.rows);
+  check(job, options);
+  const Fields<Restitution> fields = restitution_fields(job.units);
+  RowRun run(job.plan(fields.columns()), arguments.rows);
   run.write(describe(arguments, job), [&] {
-    while (run.done() < job.size()) method.compute(run);
+    while (run.done() < job.size()) compute(job, run, options, fields);
   });
   run.conclude();
 }
 
 void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
-  add_choice(command, "--method", arguments.method, {"converge", "extrapolate"},
-             "How to reach the value (default: converge)\n"
-             "  converge:    refine until tolerance or absolute error is met\n"
-             "  extrapolate: regressions over exponential walls, as Gerl and\n"
-             "               Zippelius do; 1e-3 to 0.5 c",
-             "METHOD", "Resolution");
   add(command, "--tolerance", arguments.tolerance, "Relative error of 1-eps^2 to reach, 1e-15 to 0.5 (default: 0.001)",
       "TOL", "Resolution");
   add(command, "--absolute", arguments.absolute,
@@ -172,34 +193,6 @@ void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
 }
 
 }  // namespace
-
-RefinableContact Job::contact(double poisson) const {
-  Encounter its = encounter;
-  if (!units.si && has_poisson(its.first)) its.first.values["poisson"] = poisson;
-  return refinable(its);
-}
-
-Row Job::key(std::size_t row) const {
-  Row key;
-  if (has_poisson(encounter.first)) key.emplace_back(poisson(row));
-  append(key, speed_row(units, speed(row)));
-  return key;
-}
-
-RowPlan Job::plan(const Columns& results) const {
-  Columns columns;
-  if (has_poisson(encounter.first)) columns.push_back({"poisson", "", units.si ? 0 : 8});
-  append(columns, speed_columns(units), results, yielding(encounter).columns());
-  const auto name = [this](std::size_t row) {
-    const std::string body = has_poisson(encounter.first) ? fmt::format("poisson {}, ", poisson(row)) : "";
-    return fmt::format("{}speed {:.6g} c", body, speed(row));
-  };
-  return {.size = size(),
-          .columns = columns,
-          .key = [this](std::size_t row) { return key(row); },
-          .name = name,
-          .encounter = encounter};
-}
 
 void add_restitution(CLI::App& app) {
   auto& arguments = add_subcommand<RestitutionArguments>(

@@ -5,7 +5,6 @@
 
 #include "stoss/quasistatic/compression.hpp"
 #include "stoss/quasistatic/half_space_radiation.hpp"
-#include "stoss/quasistatic/heavy_disk.hpp"
 #include "stoss/quasistatic/hertz.hpp"
 #include "stoss/quasistatic/oblique/maw.hpp"
 #include "stoss/quasistatic/oblique/mindlin.hpp"
@@ -16,6 +15,5 @@
 #include "stoss/quasistatic/point_slow_impact.hpp"
 #include "stoss/quasistatic/rayleigh.hpp"
 #include "stoss/quasistatic/slow_impact.hpp"
-#include "stoss/quasistatic/soft_static_contact.hpp"
 #include "stoss/quasistatic/static_contact.hpp"
 #include "stoss/quasistatic/yield.hpp"

@@ -3,7 +3,6 @@
 // Coefficients of restitution: everything in include/stoss/restitution/.
 
 #include "stoss/restitution/curve.hpp"
-#include "stoss/restitution/extrapolation.hpp"
 #include "stoss/restitution/ladder.hpp"
 #include "stoss/restitution/oblique.hpp"
 #include "stoss/restitution/oblique_curve.hpp"

@@ -72,8 +72,6 @@ py::dict quantities() {
   all["prediction"] = listed(prediction_quantities());
   all["bounce"] = listed(bounce_quantities());
   all["sample"] = listed(sample_quantities());
-  all["extrapolation"] = listed(extrapolation_quantities());
-  all["soft impact"] = listed(soft_impact_quantities());
   all["mode"] = listed(bodies::disk::mode_quantities());
   all["sphere mode"] = listed(bodies::sphere::mode_quantities());
   all["slow impact"] = listed(quasistatic::slow_impact_quantities());
@@ -81,7 +79,6 @@ py::dict quantities() {
   all["point slow impact"] = listed(quasistatic::point_slow_impact_quantities());
   all["point rayleigh"] = listed(quasistatic::point_rayleigh_quantities());
   all["driven mode"] = listed(quasistatic::driven_mode_quantities());
-  all["soft static contact"] = listed(quasistatic::soft_static_contact_quantities());
   return all;
 }
 

@@ -15,8 +15,7 @@ template <>
 CompressionLaw to_law(const std::string& name) {
   if (name == "center") return CompressionLaw::center;
   if (name == "diameter") return CompressionLaw::diameter;
-  if (name == "printed") return CompressionLaw::printed;
-  throw std::invalid_argument("law: center, diameter or printed");
+  throw std::invalid_argument("law: center or diameter");
 }
 
 template <>
@@ -98,14 +97,6 @@ py::dict static_contact_numbers(const Pressed& body, double compression, int nod
                   "position"_a = take(std::move(contact.position)), "pressure"_a = take(std::move(contact.pressure)));
 }
 
-py::dict soft_static_contact_numbers(const Contact& contact, double compression, std::optional<int> nodes) {
-  const auto* soft = std::get_if<ExponentialWall>(&contact.wall);
-  if (soft == nullptr) throw std::invalid_argument("contact: at an exponential wall");
-  return to_dict(soft_static_contact_quantities(), computed([&](const Poll& poll) {
-                   return soft_static_contact(*contact.first, *soft, compression, {nodes, poll});
-                 }));
-}
-
 void bind_hertz(py::module_& module) {
   module.def(
       "point_hertz_pressure",
@@ -181,14 +172,6 @@ void bind_stresses(py::module_& module) {
         return over([&](std::size_t i) { return hertz_stress(f[i], down[i], along[i]); }, force, depth, y);
       },
       py::arg("force"), py::arg("depth"), py::arg("y"), "structured array of xx, yy, xy");
-  module.def(
-      "heavy_disk_stress",
-      [](bool hertz, const Doubles& force, const Doubles& x, const Doubles& y) {
-        const HeavyDiskContact contact = hertz ? HeavyDiskContact::hertz : HeavyDiskContact::point;
-        const double *f = force.data(), *up = x.data(), *along = y.data();
-        return over([&](std::size_t i) { return heavy_disk_stress(contact, f[i], up[i], along[i]); }, force, x, y);
-      },
-      py::arg("hertz"), py::arg("force"), py::arg("x"), py::arg("y"), "structured array of xx, yy, xy");
 }
 
 }  // namespace
@@ -221,8 +204,6 @@ void bind_quasistatic(py::module_& module) {
         return static_contact_numbers(Sphere{.poisson = nu}, compression, nodes);
       },
       poisson, py::arg("compression"), py::arg("nodes"));
-  module.def("soft_static_contact", &soft_static_contact_numbers, py::arg("contact"), py::arg("compression"),
-             py::arg("nodes"));
   bind_hertz(module);
   bind_oblique(module);
   bind_stresses(module);

@@ -3,7 +3,6 @@
 #include <tuple>
 
 #include "stoss/encounter/laws.hpp"
-#include "stoss/restitution/extrapolation.hpp"
 #include "stoss/restitution/quantities.hpp"
 #include "stoss/table/adaptive.hpp"
 #include "stoss/table/adaptive_pairs.hpp"
@@ -138,22 +137,6 @@ void bind_tables(py::module_& module) {
   bind_function(module);
   bind_pair_table(module);
   PYBIND11_NUMPY_DTYPE(Estimate, value, error);
-  PYBIND11_NUMPY_DTYPE(SoftImpact, cutoff, modes, hardness, lost_fraction, steps);
-  module.def(
-      "extrapolated_restitution",
-      [](double poisson, double speed, const Doubles& cutoffs, const Doubles& hardnesses) {
-        const ExtrapolationOptions options{to_vector(cutoffs), to_vector(hardnesses), signal_poll()};
-        ExtrapolatedRestitution result;
-        {
-          const Released released;
-          result = extrapolated_restitution(poisson, speed, options);
-        }
-        py::dict numbers = to_dict(extrapolation_quantities(), result);
-        numbers["hard_wall"] = take(std::move(result.hard_wall));
-        numbers["impacts"] = take(std::move(result.impacts));  // themselves, in place of their number
-        return numbers;
-      },
-      py::arg("poisson"), py::arg("speed"), py::arg("cutoffs"), py::arg("hardnesses"));
 }
 
 }  // namespace stoss::python

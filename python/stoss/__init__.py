@@ -33,7 +33,6 @@ written.
 `atlas`                           ε of spheres and disks at once, from a sweep; with errors
 `bounce`                          a body that comes back to a wall with the vibration it has kept
 `modes`                           the eigenmodes of a disk or a sphere
-`extrapolated_restitution`        ε as Gerl and Zippelius compute it
 `rod_chain`                       rods on a ring that remember their collisions
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
 `Disk`, `Sphere`, `Rod`           bodies
@@ -71,7 +70,7 @@ from stoss.results._adaptive_rule import collision_rule
 from stoss.laws._fit import Fit, Misfit, fit
 from stoss.results._atlas import AtlasValue, atlas
 from stoss.results._bounce import Bounces, bounce
-from stoss.results._curves import Extrapolation, extrapolated_restitution, restitution
+from stoss.results._curves import restitution
 from stoss.results._distribution import RestitutionDistribution, restitution_distribution
 from stoss.results._field import DiskField, Field, SphereField, Trajectory, Wave
 from stoss.results._function import RestitutionFunction, restitution_function
@@ -94,13 +93,13 @@ from stoss.sweeps._values import Sweep, merge, open_sweep
 
 __all__ = [
     "AtlasValue", "Body", "Bounces", "CollisionRule", "Disk", "DiskField", "ExponentialWall",
-    "Extrapolation", "Field", "Fit", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact",
+    "Field", "Fit", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact",
     "Influence", "Interrupted", "InvalidInput", "Layer", "Material", "Misfit", "ModalBody", "Modes", "NotConverged",
     "ObliqueImpact", "ObliqueLedger", "ObliqueRestitution", "ObliqueTrajectory", "Oscillation",
     "PairTable", "Plate", "Prediction", "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod",
     "RodChain", "Scales", "Sound", "Sphere", "SphereField", "StossWarning", "Strip", "Sweep", "Table", "Trajectory",
     "Wall", "Wave",
-    "__version__", "animate", "atlas", "bounce", "collision_rule", "extrapolated_restitution",
+    "__version__", "animate", "atlas", "bounce", "collision_rule",
     "fit", "impact", "materials", "merge", "modes", "oblique", "oblique_impact", "open_sweep",
     "pair_table", "plot", "predict", "quasistatic", "read_csv", "restitution",
     "restitution_distribution", "restitution_function", "rod_chain", "sweep", "with_error",

@@ -35,7 +35,7 @@ PARAMETERS = {
     "seed": "Each seed gives another ensemble.",
     "threads": "0: as many as the machine has. Results do not depend on it.",
     "progress": "Show on stderr a bar of the values, or where they cannot be counted for how long it has gone on.",
-    "law": "Of compression: 'center', 'diameter', 'printed' or 'hertz', see `stoss.quasistatic`.",
+    "law": "Of compression: 'center', 'diameter' or 'hertz', see `stoss.quasistatic`.",
     "force": "F, mc²/R; broadcasts with the other arrays.",
     "time": "R/c from the start of the impact, any order; during the impact the nearest step is taken.",
     "path": "Where to; an existing file is replaced.",

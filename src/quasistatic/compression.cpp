@@ -1,4 +1,4 @@
-// δ(F) has its maximum at F* = s e^{−1−b}, where δ = F*. Written with F*, all three laws are one:
+// δ(F) has its maximum at F* = s e^{−1−b}, where δ = F*. Written with F*, both laws are one:
 //
 //   δ = F u,   U = F² (½u − ¼),   u = 1 + ln(F*/F) ≥ 1.
 #include "stoss/quasistatic/compression.hpp"
@@ -35,8 +35,7 @@ double lower_branch(double eta) {
 
 double limit_force(CompressionLaw law, double poisson) {
   require_poisson(poisson);
-  if (law == CompressionLaw::center) return std::exp(-1.0 - 0.25 * (1.0 + poisson));
-  return 4.0 * std::exp(law == CompressionLaw::diameter ? -2.0 : -2.0 - poisson);
+  return law == CompressionLaw::center ? std::exp(-1.0 - 0.25 * (1.0 + poisson)) : 4.0 * std::exp(-2.0);
 }
 
 double compression(CompressionLaw law, double poisson, double force) {

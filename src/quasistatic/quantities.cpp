@@ -91,17 +91,4 @@ const Quantities<DrivenMode>& driven_mode_quantities() {
   return all;
 }
 
-const Quantities<SoftStaticContact>& soft_static_contact_quantities() {
-  using C = SoftStaticContact;
-  static const Quantities<C> all{
-      {"force", force, help::force, &C::force},
-      {"energy", energy, "Energy of the modes and of the wall", &C::energy},
-      {"wall_energy", energy, "Energy that the wall stores", &C::wall_energy},
-      {"modes", none, help::modes, &C::modes},
-      {"nodes", none, help::nodes, &C::nodes},
-      {"newton_steps", none, "Number of Newton steps", &C::newton_steps},
-  };
-  return all;
-}
-
 }  // namespace stoss::quasistatic

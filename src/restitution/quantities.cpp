@@ -123,27 +123,4 @@ const Quantities<ObliqueRun>& oblique_run_quantities() {
   return all;
 }
 
-const Quantities<ExtrapolatedRestitution>& extrapolation_quantities() {
-  using E = ExtrapolatedRestitution;
-  static const Quantities<E> all{
-      {"restitution", none, help::restitution, &E::restitution},
-      {"lost_fraction", none, help::lost_fraction, &E::lost_fraction},
-      {"impacts", none, "Number of impacts with soft walls", [](const E& e) { return count(e.impacts); }},
-      {"steps", none, help::all_steps, &E::steps},
-  };
-  return all;
-}
-
-const Quantities<SoftImpact>& soft_impact_quantities() {
-  using S = SoftImpact;
-  static const Quantities<S> all{
-      {"cutoff", frequency, help::cutoff, &S::cutoff},
-      {"modes", none, help::modes, &S::modes},
-      {"hardness", inverse_length, "Hardness of the exponential wall", &S::hardness},
-      {"lost_fraction", none, help::lost_fraction, &S::lost_fraction},
-      {"steps", none, help::steps, &S::steps},
-  };
-  return all;
-}
-
 }  // namespace stoss

@@ -3,7 +3,7 @@
 The paper's main result: ε for ν = 0.33 and 0.9 at v/c = 0.005 … 0.3, by the two extrapolations of
 its section IV: 1/α → 0 (figure 7), then 1/√N → 0 (figure 8). Here both roads: the protocol, with
 the walls of figure 7 and the N = 300, 400, 600, 940 lowest modes
-(`stoss.extrapolated_restitution`), and the converged value for the hard wall (`stoss.restitution`).
+(`two_limits`), and the converged value for the hard wall (`stoss.restitution`).
 
 The speeds are those of figure 7. v is the speed of one disk against a wall, as in the paper's
 section III; the caption of its figure speaks of the relative speed of two disks, which would be 2v.
@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from gerl_zippelius_1999.common import BLACK, BLUE, GREY, NONE, PAGE, PRINT, VERMILION
 from gerl_zippelius_1999.common import Row, Table, Tables, axes_of, legend, measured, written
-from gerl_zippelius_1999.two_limits import SPEEDS, line, ranked_intercepts, walls
+from gerl_zippelius_1999.two_limits import SPEEDS, line, ranked_intercepts, two_limits, walls
 
 TITLE = "Figure 1: the coefficient of restitution against speed"
 CAPTION = (
@@ -56,7 +56,7 @@ def compute(quick: bool) -> Tables:
     protocol: list[tuple[float, ...]] = []
     for nu in POISSONS:
         for v in speeds:
-            found = stoss.extrapolated_restitution(poisson=nu, speed=v, hardnesses=walls(v))
+            found = two_limits(nu, v, walls(v))
             values = (found.restitution, found.restitution_error, found.lost_fraction, found.lost_fraction_error)
             protocol.append((nu, v, *values))
     tolerance = 1e-3 if quick else 3e-4

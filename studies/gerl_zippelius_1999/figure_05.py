@@ -25,6 +25,7 @@ from gerl_zippelius_1999.common import (
     BLACK, BLUE, GREY, NONE, PAGE, PRINT, VERMILION, Row, Tables, legend, measured, small_ticks, written,
 )  # fmt: skip
 from gerl_zippelius_1999.soft_impacts import HARDNESS, MODES, PRESSURE, SHARE, cutoff_of, soft
+from gerl_zippelius_1999.two_limits import SCALED, two_limits
 
 TITLE = "Figure 5: a disk with v = 0.2 c hits the wall"
 CAPTION = (
@@ -73,7 +74,7 @@ def compute(quick: bool) -> Tables:
     protocol = stoss.impact(poisson=POISSON, speed=SPEED, cutoff=cutoff_of(MODES), against=wall)
     contact = soft((SPEED,), scaled=False)
     value = stoss.restitution(poisson=POISSON, speed=SPEED, tolerance=1e-3 if quick else 1e-4)
-    limit = stoss.extrapolated_restitution(poisson=POISSON, speed=SPEED)
+    limit = two_limits(POISSON, SPEED, np.array(SCALED) / SPEED)
     energies = protocol.mode_energies
     names = ("restitution", "lost_fraction", "contact_time", "max_compression", "max_force")
     at_wall = {

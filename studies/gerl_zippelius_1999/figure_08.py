@@ -3,7 +3,7 @@
 The paper takes the hard-wall limits of figure 7 for N = 300, 400, 600, 940 modes and extends them
 along lines in 1/√N to N → ∞; that is its result, the points of figure 1. The modes left out would
 let the edge yield by 2/(πω_c) per pressure and impedance, and ω_c ∝ √N; so it is for the N lowest
-modes, with which the left picture is made (`stoss.extrapolated_restitution`, walls as in figure 7).
+modes, with which the left picture is made (`two_limits`, walls as in figure 7).
 
 The paper selects differently: the modes are ranked by their average energy in a preliminary run,
 and the first N are kept. The right picture does that for two speeds, with preliminary runs of 1600
@@ -23,7 +23,8 @@ from matplotlib.figure import Figure
 from gerl_zippelius_1999.common import BLACK, BLUE, GREEN, GREY, NONE, PAGE, PRINT, VERMILION
 from gerl_zippelius_1999.common import Row, Table, Tables, axes_of, legend, measured, written
 from gerl_zippelius_1999.two_limits import (
-    POISSON, SPEEDS, Line, colour, cutoff, line, lost_fraction, name_curve, ranked_intercepts, walls,
+    COUNTS, POISSON, SPEEDS, Line, colour, cutoff, line, lost_fraction, name_curve, ranked_intercepts, two_limits,
+    walls,
 )  # fmt: skip
 
 TITLE = "Figure 8: the loss against the number of modes"
@@ -44,7 +45,6 @@ ALT = (
     "miss zero."
 )
 
-COUNTS = (300, 400, 600, 940)
 MORE = (1900, 3760)
 POOLS = (1600, 4500)  # modes of the preliminary run
 STUDIED = (0.1, 0.3)  # c, right picture
@@ -55,11 +55,11 @@ def compute(quick: bool) -> Tables:
     intercepts: list[tuple[object, ...]] = []
     limits: list[tuple[object, ...]] = []
     for v in speeds:
-        found = stoss.extrapolated_restitution(poisson=POISSON, speed=v, hardnesses=walls(v))
-        counts = np.unique(found.impacts["modes"])
-        intercepts += [(v, "lowest", n, *at) for n, at in zip(counts, found.hard_wall)]
-        fit = line(counts**-0.5, found.hard_wall["value"], found.hard_wall["error"])
-        limits.append((v, "lowest", found.lost_fraction, found.lost_fraction_error, fit.slope, fit.slope_error))
+        lowest: list[tuple[object, ...]] = [
+            (v, "lowest", n, *at[:2]) for n, at in zip(COUNTS, two_limits(POISSON, v, walls(v)).hard_wall)
+        ]
+        limits.append((v, "lowest", *_limit(lowest)))
+        intercepts += lowest
     for v in STUDIED[1:] if quick else STUDIED:
         if not quick:
             lost = {n: [lost_fraction(v, cutoff(n), alpha) for alpha in walls(v)] for n in MORE}

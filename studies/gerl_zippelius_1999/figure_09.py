@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from gerl_zippelius_1999.common import (
     BLACK, BLUE, GREY, NONE, PAGE, VERMILION, Row, Tables, axes_of, legend, measured, written,
 )  # fmt: skip
+from gerl_zippelius_1999.printed_law import force_by
 
 TITLE = "Figure 9: the quasi-static approach"
 CAPTION = (
@@ -54,7 +55,7 @@ def compute(quick: bool) -> Tables:
     rings = _lines(shown, np.arange(1, CIRCLES + 1) / CIRCLES, around, 0, across=False)
     rays = _lines(shown, along, -np.pi + 2.0 * np.pi * np.arange(SPOKES) / SPOKES, CIRCLES, across=True)
     by_law = [stoss.quasistatic.compression_force(poisson=POISSON, compression=delta) for delta in COMPRESSIONS]
-    printed = [stoss.quasistatic.compression_force(poisson=POISSON, compression=d, law="printed") for d in COMPRESSIONS]
+    printed = force_by("printed", POISSON, np.array(COMPRESSIONS))
     return {
         "pressure": {name: np.concatenate(values) for name, values in pressure.items()},
         "lines": {name: np.concatenate((rings[name], rays[name])) for name in rings},
@@ -64,7 +65,7 @@ def compute(quick: bool) -> Tables:
             "force_error[piRE]": np.array([each.force_error for each in contacts]),
             "half_width[R]": np.array([each.half_width for each in contacts]),
             "greatest_pressure[E]": np.array([each.pressure.max() for each in contacts]),
-            "force_center_law[piRE]": np.array(by_law), "force_printed_law[piRE]": np.array(printed),
+            "force_center_law[piRE]": np.array(by_law), "force_printed_law[piRE]": printed,
         },
     }  # fmt: skip
 

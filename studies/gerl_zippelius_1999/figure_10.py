@@ -21,6 +21,8 @@ from stoss import quasistatic
 
 from .common import BLACK, BLUE, GREEN, GREY, NONE, ORANGE, PAGE, PURPLE, VERMILION
 from .common import Row, Table, Tables, axes_of, legend, measured, written
+from .printed_law import force_by
+from .relaxation import relaxed_force
 from .soft_impacts import cutoff_of, plane
 
 TITLE = "Figure 10: force against compression"
@@ -43,12 +45,6 @@ LAWS = ("printed", "center", "diameter")
 PRESSED, UNIT = "relaxed_from_pressure_plane", "relaxed_from_unit_plane"
 
 
-def relaxed(compression: float, hardness: float, cutoff: float) -> float:
-    """Force of the relaxed disk, compression from the plane V₀e^{αx} = 1."""
-    wall = {"against": stoss.ExponentialWall(hardness=hardness), "cutoff": cutoff}
-    return quasistatic.soft_static_contact(poisson=POISSON, compression=compression, **wall).force
-
-
 def at_rest(cutoff: float, count: int) -> Table:
     x = np.unique(np.concatenate([np.geomspace(2e-3, 0.2, count), MARKS]))
     exact = [quasistatic.static_contact(poisson=POISSON, compression=each) for each in x]
@@ -56,15 +52,15 @@ def at_rest(cutoff: float, count: int) -> Table:
         "compression[R]": x,
         "exact[piRE]": np.array([each.force for each in exact]),
         "exact_error[piRE]": np.array([each.force_error for each in exact]),
-        **{f"{law}[piRE]": quasistatic.compression_force(law=law, poisson=POISSON, compression=x) for law in LAWS},
-        f"{PRESSED}[piRE]": np.array([relaxed(d - plane(HARDNESS), HARDNESS, cutoff) for d in x]),
-        f"{UNIT}[piRE]": np.array([relaxed(d, HARDNESS, cutoff) for d in x]),
+        **{f"{law}[piRE]": force_by(law, POISSON, x) for law in LAWS},
+        f"{PRESSED}[piRE]": np.array([relaxed_force(POISSON, d - plane(HARDNESS), HARDNESS, cutoff) for d in x]),
+        f"{UNIT}[piRE]": np.array([relaxed_force(POISSON, d, HARDNESS, cutoff) for d in x]),
     }
 
 
 def limits(cutoffs: tuple[float, float]) -> Table:
     """Relaxed forces at hard walls and with many modes, to be extrapolated in 1/α and 1/ω_c."""
-    rows = [(x, a, c, relaxed(x - plane(a), a, c)) for x in MARKS for a in (4000.0, 8000.0) for c in cutoffs]
+    rows = [(x, a, c, relaxed_force(POISSON, x - plane(a), a, c)) for x in MARKS for a in (4000.0, 8000.0) for c in cutoffs]
     return dict(zip(("compression[R]", "hardness[1/R]", "cutoff[c/R]", "force[piRE]"), np.array(rows).T))
 
 

@@ -29,6 +29,7 @@ from stoss import quasistatic
 
 from .common import BLACK, BLUE, GREEN, GREY, NONE, ORANGE, PAGE, PURPLE
 from .common import Row, Table, Tables, axes_of, legend, measured, power, written
+from .printed_law import law_and_unit
 from .soft_impacts import HARDNESS, MODES, POISSON, SCALED, soft
 
 TITLE = "Figure 11: contact time and maximum compression against the speed"
@@ -64,11 +65,12 @@ def quasi_static(speeds: NDArray[np.float64]) -> Table:
     """By both laws; NaN beyond their ends."""
     table = {"speed[c]": speeds}
     for law in LAWS:
-        within = speeds <= float(quasistatic.limit_speed(law=law, poisson=POISSON))
-        impact = quasistatic.slow_impact(law=law, poisson=POISSON, speed=speeds[within])
-        for name, unit in (("contact_time", "R/c"), ("max_compression", "R")):
+        own, scale = law_and_unit(law, POISSON)
+        within = speeds <= scale * float(quasistatic.limit_speed(law=own, poisson=POISSON))
+        impact = quasistatic.slow_impact(law=own, poisson=POISSON, speed=speeds[within] / scale)
+        for name, unit, factor in (("contact_time", "R/c", 1.0), ("max_compression", "R", scale)):
             column = np.full(speeds.size, np.nan)
-            column[within] = getattr(impact, name)
+            column[within] = factor * getattr(impact, name)
             table[f"{law}_{name}[{unit}]"] = column
     return table
 

@@ -32,6 +32,7 @@ from stoss import quasistatic
 
 from .common import BLACK, BLUE, GREEN, NONE, PAGE, PURPLE
 from .common import Row, Table, Tables, axes_of, legend, measured, power, written
+from .printed_law import law_and_unit
 from .soft_impacts import cutoff_of
 
 TITLE = "Figure 12: energy left in vibration by slow impacts"
@@ -68,11 +69,12 @@ def with_marks(speeds: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def estimate(law: str, speeds: NDArray[np.float64], cutoff: float) -> Table:
     """Rayleigh's way, up to the end of the law."""
-    v = speeds[speeds < float(quasistatic.limit_speed(law=law, poisson=POISSON))]
+    own, unit = law_and_unit(law, POISSON)
+    v = speeds[speeds < unit * float(quasistatic.limit_speed(law=own, poisson=POISSON))]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", stoss.StossWarning)  # that much of it is beyond perturbation theory
-        every = quasistatic.rayleigh(poisson=POISSON, speed=v, law=law, cutoff=cutoff)
-        quadrupole = quasistatic.rayleigh(poisson=POISSON, speed=v, law=law, cutoff=LOWEST)
+        every = quasistatic.rayleigh(poisson=POISSON, speed=v / unit, law=own, cutoff=cutoff)
+        quadrupole = quasistatic.rayleigh(poisson=POISSON, speed=v / unit, law=own, cutoff=LOWEST)
     return {
         "speed[c]": v,
         "lost_fraction": every.lost_fraction,

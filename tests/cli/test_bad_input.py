@@ -61,8 +61,6 @@ BAD_VALUES = [
     ("restitution --speed 0.1 --poisson 0.33,", "poisson", "0.33,"),
     ("restitution --speed 0.1 --poisson lin:-1:0.5:4", "poisson", "-1"),
     ("restitution --speed 0.1 --poisson log:-0.5:0.5:4", "poisson", "log:-0.5:0.5:4"),
-    ("restitution --speed 0.1 --poisson 0.3,0.99 --method extrapolate --tolerance 0.1", "tolerance", "extrapolate"),
-    ("restitution --speed 0.1 --poisson 0.33,-0.96 --method extrapolate", "poisson", "-0.96"),
     ("restitution --poisson 0.33 --speed 0.1 --tolerance 0", "tolerance", "0"),
     ("restitution --poisson 0.33 --speed 0.1 --tolerance 1e-16", "tolerance", "1e-16"),
     ("restitution --poisson 0.33 --speed 0.1 --tolerance 0.6", "tolerance", "0.6"),
@@ -135,7 +133,6 @@ BAD_USAGE = [
     "restitution --body ball --poisson 0.33 --speed 0.1",
     "impact --poisson 0.33 --speed 0.1 --tail none",
     "restitution --poisson 0.33",
-    "restitution --poisson 0.33 --speed 0.1 --method guess",
     "restitution --poisson 0.33 --speed 0.1 --resume",
     "restitution --poisson 0.3 --young 1 --density 1 --radius 1 --plane middle --speed 1",
 ]

@@ -154,8 +154,6 @@ def test_refusals_of_options(stoss, tmp_path, against, name, said):
         ("--body rod --plane strain", "plane", "--body rod"),
         ("--body rod --against disk", "against", "a disk meets disks"),
         ("--body rod --against rod,area=0", "against area", "0"),
-        ("--poisson 0.3 --against same --method extrapolate", "against", "extrapolate"),
-        ("--body rod --method extrapolate", "against", "extrapolate"),
     ],
 )
 def test_what_does_not_go_together(stoss, arguments, name, said):

@@ -19,7 +19,6 @@ KINDS = {
     "restitution": f"restitution --poisson 0.33 {COARSE}",
     "oblique": f"oblique {SPHERE} --speed 0.01 --friction 0.1 --tangential 0.002",
     "distribution": "distribution --poisson 0.33 --speed 0.1 --spectrum 2,0,energy=0.1 --samples 2",
-    "extrapolation": "restitution --poisson 0.33 --speed 0.1 --method extrapolate",
     "quasistatic": "quasistatic --poisson 0.33 --speed 1e-6",
     "predict": "predict --body sphere --material 'structural steel' --radius 0.005 --speed 1 --against half-space,material=glass",
     "materials": "materials",
@@ -41,7 +40,7 @@ def test_json_names_its_format(stoss, kind):
 def test_these_are_all_kinds_of_json(stoss):
     listed = re.findall(r"^  ([a-z]+) ", stoss.run("--help").stdout.partition("Subcommands:")[2], re.MULTILINE)
     without = {"fit", "schema", "sweep", "merge"}  # which write lines for other programs, a schema, and what Python writes
-    assert set(KINDS) - {"extrapolation"} == set(listed) - without
+    assert set(KINDS) == set(listed) - without
 
 
 def test_csv_names_the_version_of_stoss(stoss):

@@ -69,7 +69,6 @@ def test_replaced_as_a_whole(stoss, tmp_path, way):
     f"distribution {NU} --spectrum 2,0,energy=-1", f"impact {NU} --mode 2,99,energy=0.1",
     f"impact {NU} --nodes 1", "modes --poisson 7", "quasistatic --poisson 7 --speed 0.1",
     f"restitution {NU} --tolerance 7", "restitution --poisson 0.33,7 --speed 0.1", f"restitution {NU},7",
-    "restitution --poisson 0.33,7 --speed 0.1 --method extrapolate",
     "table --poisson 0.33 --speed 0.01:0.1 --error 7",
 ])  # fmt: skip
 @pytest.mark.parametrize("there", [True, False])

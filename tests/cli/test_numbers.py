@@ -20,7 +20,7 @@ NUMERIC = [
 ]  # fmt: skip
 OTHER = [
     ("modes --poisson 0.3", "--output"), ("modes --poisson 0.3", "--format"), (STEEL, "--plane"),
-    (IMPACT, "--trajectory"), (IMPACT, "--against"), (IMPACT, "--body"), (IMPACT, "--tail"), (CURVE, "--method"), (CURVE, "--resume"),
+    (IMPACT, "--trajectory"), (IMPACT, "--against"), (IMPACT, "--body"), (IMPACT, "--tail"), (CURVE, "--resume"),
     (f"{SLOW} --speed 0.1", "--law"),
 ]  # fmt: skip
 NO_NUMBERS = [" ", "0x1p-3", "1e-400", "1e400", "nan", "inf", "-inf", "+-1", "--1", "1e", ".", "1_0", "1 2", "1\t", "1,"]
@@ -63,7 +63,7 @@ def test_whole_numbers(stoss):
 
 
 def test_range_that_is_shown_is_allowed(stoss):
-    for job in (f"{SLOW} --speed", f"{SLOW} --compression", f"{SLOW} --law printed --speed"):
+    for job in (f"{SLOW} --speed", f"{SLOW} --compression", f"{SLOW} --law diameter --speed"):
         refusal = call(stoss, job, "9").stderr
         for end in refusal.split("allowed ")[1].split()[0:3:2]:
             assert call(stoss, job, end, "--quiet").returncode == 0

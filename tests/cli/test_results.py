@@ -128,7 +128,6 @@ def keys(value):
     "arguments",
     [
         "restitution --poisson 0.33 --speed 0.1",
-        "restitution --poisson 0.33 --speed 0.1 --method extrapolate",
         "impact --poisson 0.33 --speed 0.1 --cutoff 12",
         "bounce --poisson 0.33 --speed 0.1 --count 2 --flight-time 9 --cutoff 12",
         "distribution --poisson 0.33 --speed 0.1 --temperature 0.1 --samples 1",

@@ -135,12 +135,10 @@ def test_refusals(stoss, command, arguments, name, said):
         ("--poisson 0.3 --against sphere", "against", "for a disk, allowed wall, same, disk, half-plane or strip"),
         ("--poisson 0.3 --yield 1e9", "yield", "--body disk, allowed only with --body sphere"),
         ("--body rod --against sphere", "against", "for a rod, allowed wall, same or rod"),
-        ("--body sphere --poisson 0.3 --method extrapolate", "against", "allowed a disk at a wall"),
         ("--body sphere --poisson 0.3 --against exponential", "against", "stoss impact meets an exponential wall"),
         ("--body sphere --poisson 0.3 --absolute -1", "absolute", "-1"),
         ("--body sphere --poisson 0.3 --absolute 0.6", "absolute", "0.6"),
         ("--poisson 0.3 --absolute nan", "absolute", "nan"),
-        ("--poisson 0.3 --absolute 0.1 --method extrapolate", "absolute", "--method extrapolate"),
     ],
 )
 def test_what_does_not_go_together(stoss, arguments, name, said):

@@ -78,11 +78,6 @@ def test_a_mode_comes_once(stoss):
     assert result.returncode == 3 and "twice, allowed once" in result.stderr
 
 
-def test_extrapolation_starts_at_rest(stoss):
-    result = stoss.run(f"restitution --poisson 0.33 --speed 0.1 --method extrapolate {RINGING}")
-    assert result.returncode == 3 and "mode: got --mode with --method extrapolate" in result.stderr
-
-
 LOSSY = "restitution --body sphere --poisson 0.3 --speed 0.01"
 
 
@@ -131,7 +126,6 @@ def test_in_si_it_is_in_seconds(stoss, body, sizes):
         (f"{LOSSY} --loss-time -1", "loss_time: got -1, allowed 0 to 100000"),
         (f"{LOSSY} --loss-time nan", "loss"),
         (f"{LOSSY} --against sphere,loss_time=1e9", "against loss_time: got 1000000000, allowed 0 to 100000"),
-        ("restitution --poisson 0.3 --speed 0.1 --method extrapolate --loss-time 1", "loss-time: got --loss-time"),
     ],
 )
 def test_impossible_loss_times_are_refused(stoss, arguments, complaint):

@@ -65,19 +65,6 @@ def test_pairs(name):
     assert with_error(row["lost_fraction"], row["lost_fraction_error"]) == shown[4]
 
 
-BOTH_WAYS = [(0.33, 0.05), (0.33, 0.1), (0.33, 0.2), (0.33, 0.3), (0.9, 0.1), (0.9, 0.3)]
-
-
-@pytest.mark.parametrize("poisson, speed", BOTH_WAYS)
-def test_the_papers_way(poisson, speed):
-    job = f"restitution --poisson {poisson} --speed {speed}"
-    (mine,), (two,) = command(job), command(f"{job} --method extrapolate")
-    off = abs(mine["lost_fraction"] - two["lost_fraction"]) / (mine["lost_fraction_error"] + two["lost_fraction_error"])
-    cells = (f"{mine['lost_fraction']:.5f} ± {mine['lost_fraction_error']:.5f}",
-             f"{two['lost_fraction']:.4f} ± {two['lost_fraction_error']:.4f}", f"{off:.2f}")  # fmt: skip
-    assert line(f"{poisson:g}", f"{speed:g}", *cells) in PAGE
-
-
 def test_single_points_that_take_long():
     for poisson, speed in ((0.9, 0.1448), (0.9, 0.5), (0, 0.39718)):
         name = f"ν = {poisson}, v = {speed}"

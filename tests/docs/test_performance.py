@@ -120,7 +120,7 @@ def limits(column):
 
 def test_errors_against_times():
     assert rounded(PROTOCOL, limits(1)["9·10⁻³"])
-    two = ms("the paper's two limits (extrapolated_restitution), modes included")
+    two = ms("the paper's two limits, modes included")
     assert rounded(two, limits(2)["7·10⁻⁴"])
     assert rounded(ms("hard wall, static, cutoff 25"), limits(4)["9·10⁻³"])
     assert rounded(ms("hard wall, static, cutoff 100"), limits(4)["7·10⁻⁴"])

@@ -22,7 +22,7 @@ using namespace quasistatic;
 
 namespace {
 
-constexpr std::array laws{CompressionLaw::center, CompressionLaw::diameter, CompressionLaw::printed};
+constexpr std::array laws{CompressionLaw::center, CompressionLaw::diameter};
 
 /// A mode of unit amplitude at the edge.
 Mode unit(double omega) { return {.order = 2, .index = 0, .omega = omega, .radial = 1.0, .tangential = 0.0}; }

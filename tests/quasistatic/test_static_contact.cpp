@@ -12,6 +12,7 @@
 #include "stoss/quasistatic/compression.hpp"
 #include "stoss/quasistatic/hertz.hpp"
 #include "stoss/quasistatic/static_contact.hpp"
+#include "support/printed_law.hpp"
 #include "support/refusal.hpp"
 #include "support/spectral_contact.hpp"
 
@@ -127,16 +128,14 @@ TEST(QuasistaticStaticContact, TellsHowGoodTheLawsAre) {
   };
   for (const Deviation& row : table) {
     const StaticContact exact = static_contact(row.poisson, row.compression);
-    const auto of_compression = [&](CompressionLaw law) {
-      return compression(law, row.poisson, exact.force) / row.compression - 1.0;
-    };
-    const auto of_force = [&](CompressionLaw law) {
-      return compression_force(law, row.poisson, row.compression) / exact.force - 1.0;
-    };
-    EXPECT_NEAR(of_compression(CompressionLaw::center), row.in_compression, 1e-5) << row.poisson;
-    EXPECT_NEAR(of_force(CompressionLaw::center), row.in_force, 1e-5) << row.poisson;
-    EXPECT_NEAR(of_compression(CompressionLaw::printed), row.printed_compression, 1e-4) << row.poisson;
-    EXPECT_NEAR(of_force(CompressionLaw::printed), row.printed_force, 1e-4) << row.poisson;
+    const auto law = CompressionLaw::center;
+    const double delta = compression(law, row.poisson, exact.force);
+    const double force = compression_force(law, row.poisson, row.compression);
+    const double printed = test::printed_compression(row.poisson, exact.force);
+    EXPECT_NEAR(delta / row.compression - 1.0, row.in_compression, 1e-5) << row.poisson;
+    EXPECT_NEAR(force / exact.force - 1.0, row.in_force, 1e-5) << row.poisson;
+    EXPECT_NEAR(printed / row.compression - 1.0, row.printed_compression, 1e-4) << row.poisson;
+    EXPECT_NEAR(test::printed_force(row.poisson, row.compression) / exact.force - 1.0, row.printed_force, 1e-4);
   }
 }
 

@@ -11,7 +11,7 @@ from tree import Tree
 
 # Title of a page: the names on it.
 PAGES = {
-    "Restitution": "restitution Restitution extrapolated_restitution Extrapolation with_error",
+    "Restitution": "restitution Restitution with_error",
     "Bodies and walls": (
         "Disk Sphere Rod ModalBody HalfSpace HalfPlane Plate Strip Layer HardWall ExponentialWall Body Wall"
     ),

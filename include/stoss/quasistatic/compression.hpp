@@ -8,14 +8,12 @@ namespace stoss::quasistatic {
 ///
 ///   δ = F (ln(s/F) − b):   center    s = 1, b = (1 + ν)/4   (docs/theory/errata.md, E8)
 ///                          diameter  s = 4, b = 1           (E7)
-///                          printed   s = 4, b = 1 + ν       (paper eq. (56))
 ///
-/// to leading order in F. The exact static contact adds (3 + 3ν/2) F² to the law of the centre (measured;
-/// docs/theory/quasistatic.md): 0.1 % of δ = 0.01 R, 0.4 … 0.6 % of δ = 0.03 R.
+/// to leading order in F. The paper prints 1 + ν for the latter b (eq. (56)). The exact static contact adds (3 + 3ν/2)
+/// F² to the law of the centre (measured; docs/theory/quasistatic.md): 0.1 % of δ = 0.01 R, 0.4 … 0.6 % of δ = 0.03 R.
 enum class CompressionLaw {
-  center,    ///< approach of the centre of mass to the wall: the one that belongs in its equation of motion
-  diameter,  ///< shortening of the diameter through the point of contact
-  printed    ///< what the paper prints for the shortening of the diameter
+  center,   ///< approach of the centre of mass to the wall: the one that belongs in its equation of motion
+  diameter  ///< shortening of the diameter through the point of contact
 };
 
 /// Force at which δ(F) has its maximum, F = s e^{−1−b}: the law ends there, and means little from a tenth of it on.

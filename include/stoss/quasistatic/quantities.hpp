@@ -5,7 +5,6 @@
 #include "stoss/quasistatic/point_slow_impact.hpp"
 #include "stoss/quasistatic/rayleigh.hpp"
 #include "stoss/quasistatic/slow_impact.hpp"
-#include "stoss/quasistatic/soft_static_contact.hpp"
 
 namespace stoss::quasistatic {
 
@@ -17,9 +16,6 @@ namespace stoss::quasistatic {
 
 /// Quantities of one mode that a slow impact has driven.
 [[nodiscard]] const Quantities<DrivenMode>& driven_mode_quantities();
-
-/// Quantities of a static contact at an exponential wall.
-[[nodiscard]] const Quantities<SoftStaticContact>& soft_static_contact_quantities();
 
 /// Quantities of a slow impact of a sphere.
 [[nodiscard]] const Quantities<PointSlowImpact>& point_slow_impact_quantities();

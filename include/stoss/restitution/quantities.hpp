@@ -1,7 +1,6 @@
 #pragma once
 
 #include "stoss/quantity.hpp"
-#include "stoss/restitution/extrapolation.hpp"
 #include "stoss/restitution/oblique.hpp"
 #include "stoss/restitution/restitution.hpp"
 
@@ -18,11 +17,5 @@ namespace stoss {
 
 /// Quantities of one impact on the way to it.
 [[nodiscard]] const Quantities<ObliqueRun>& oblique_run_quantities();
-
-/// Quantities of a coefficient of restitution by the paper's two limits.
-[[nodiscard]] const Quantities<ExtrapolatedRestitution>& extrapolation_quantities();
-
-/// Quantities of one impact on the way to these limits.
-[[nodiscard]] const Quantities<SoftImpact>& soft_impact_quantities();
 
 }  // namespace stoss

@@ -5,8 +5,7 @@ Axes. Most results draw their own: ``result.plot(ax)``. New figures have small p
 column; in your own Axes the text follows your settings. Nothing global is changed.
 
 ================================================  ==================================================
-`restitution`, `extrapolation`                    ε or 1 − ε² against speed; Gerl and Zippelius' two
-                                                  limits
+`restitution`                                     ε or 1 − ε² against speed
 `function`                                        ε(v) as a function, with its error
 `prediction`                                      a drop test: ε in its band, and what each channel takes
 `oblique`                                         ε_t and ε_n against the angle of incidence
@@ -43,7 +42,7 @@ except ModuleNotFoundError as _missing:
 
 from stoss.plot._animation import animate
 from stoss.plot._disk import disk, sphere
-from stoss.plot._restitution import extrapolation, function, pair_table
+from stoss.plot._restitution import function, pair_table
 from stoss.plot._modes import ledger
 from stoss.plot._many import bounces, cooling, distribution, restitution_histogram
 from stoss.plot._modes import mode_shape, spectrum
@@ -60,7 +59,7 @@ from stoss.plot._trajectory import energies, force, half_width, velocity
 from stoss.plot._wave import wave
 
 __all__ = [
-    "animate", "bounces", "cooling", "disk", "distribution", "energies", "extrapolation", "force",
+    "animate", "bounces", "cooling", "disk", "distribution", "energies", "force",
     "function", "grip", "half_width", "ledger", "mode_shape", "oblique", "oblique_impact",
     "oblique_ledger", "pair_table", "prediction", "rayleigh", "restitution", "restitution_histogram", "sequence",
     "slow_impact", "spectrum", "sphere", "static_contact", "stress", "velocity", "wave",

@@ -1,4 +1,4 @@
-"""ε(v) as curves: computed values, functions, pairs of several ratios of radii, and Gerl and Zippelius' limits."""
+"""ε(v) as curves: computed values, functions and pairs of several ratios of radii."""
 
 from __future__ import annotations
 
@@ -13,7 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 from stoss._arguments import numbers
 from stoss.bodies._bodies import Body, Rod, speed_unit
 from stoss.plot import _style
-from stoss.results._curves import Extrapolation
 from stoss.results._function import RestitutionFunction
 from stoss.results._pair_table import PairTable
 from stoss.results._restitution import Restitution
@@ -209,42 +208,5 @@ def pair_table(table: PairTable, ax: Axes | None = None, *, ratio: ArrayLike | N
             (line,) = axes.plot(speed, value, **look)
             axes.fill_between(speed, value - error, value + error, alpha=0.3, color=line.get_color(), linewidth=0.0)
         axes.ticklabel_format(axis="y", useOffset=False)
-        _style.legend(axes)
-    return axes
-
-
-@_style.picture_of(Extrapolation, method="plot")
-def extrapolation(result: Extrapolation, ax: Axes | None = None) -> Axes:
-    """1 − ε² against 1/α for each cutoff, with the straight lines to the hard wall, 1/α = 0.
-
-    At 1/α = 0 stand the values that the lines reach, with the errors of the regressions, and a star
-    for the limit of all modes.
-
-    Examples:
-        >>> ax = stoss.plot.extrapolation(stoss.extrapolated_restitution(poisson=0.33, speed=0.1, cutoffs=[12, 15, 19]))
-        >>> ax.get_xlabel(), ax.get_ylabel()
-        ('inverse hardness 1/(αR)', 'lost fraction 1 − ε²')
-    """
-    cutoffs = np.unique(result.impacts["cutoff"])
-    look = {"xlabel": "inverse hardness 1/(αR)", "ylabel": "lost fraction 1 − ε²"}
-    with _style.canvas(ax, size=(_style.COLUMN, 2.8), **look) as axes:
-        axes.locator_params(axis="x", nbins=5)
-        for k, (cutoff, at_zero) in enumerate(zip(cutoffs, result.hard_wall)):
-            n = k % len(_style.COLORS)
-            color, marker = _style.COLORS[n], _style.MARKERS[n]
-            series = result.impacts[result.impacts["cutoff"] == cutoff]
-            x, y = 1.0 / series["hardness"], series["lost_fraction"]
-            # Points of equal weight: the regression goes through their centre.
-            slope = (y.mean() - at_zero["value"]) / x.mean()
-            ends = np.array([0.0, x.max()])
-            axes.plot(ends, at_zero["value"] + slope * ends, color=color, linestyle=_style.LINES[n])
-            name = f"{series['modes'][0]} modes"
-            axes.plot(x, y, color=color, marker=marker, linestyle="none", label=name)
-            hollow = {"marker": marker, "markerfacecolor": "white"}
-            axes.errorbar(0.0, at_zero["value"], at_zero["error"], color=color, capsize=2.0, **hollow)
-        axes.errorbar(
-            0.0, result.lost_fraction, result.lost_fraction_error, color=_style.BLACK, marker="*", markersize=8.0,
-            capsize=3.0, linestyle="none", label="all modes", zorder=3.0,
-        )  # fmt: skip
         _style.legend(axes)
     return axes

@@ -10,8 +10,8 @@ and (4π/3)R²E of a sphere, lengths in R, stresses in E, speeds in c (with a ma
 `compression`, `compression_force`,                     a law of compression, its inverse,
 `compression_energy`, `limit_force`, `limit_speed`      its energy, and where it ends
 `contact_radius`                                        of a sphere
-`static_contact`, `soft_static_contact`                 a body held against a wall
-`hertz_pressure`, `hertz_stress`, `heavy_disk_stress`   stress under a contact or in a heavy disk
+`static_contact`                                        a body held against a wall
+`hertz_pressure`, `hertz_stress`                        stress under a contact
 `greatest_shear`, `yield_speed`                         of a sphere: where and when it yields
 `maw`                                                   of a sphere: oblique impact with friction
 `mindlin_force`, `mindlin_displacement`,                a contact that is pushed along the wall
@@ -23,8 +23,7 @@ Laws of compression of a disk, δ = F (ln(s/F) − b):
 
 * ``'center'``: s = 1, b = (1 + ν)/4, the approach of the centre of mass, which belongs in its
   equation of motion;
-* ``'diameter'``: s = 4, b = 1, the shortening of the diameter through the point of contact;
-* ``'printed'``: s = 4, b = 1 + ν, what Gerl and Zippelius print for the latter.
+* ``'diameter'``: s = 4, b = 1, the shortening of the diameter through the point of contact.
 
 Those of a sphere, with the radius a of the contact, a³ = π(1 − ν²)F:
 
@@ -40,19 +39,19 @@ from stoss.quasistatic._compression import (
     compression, compression_energy, compression_force, contact_radius, limit_force, limit_speed,
 )
 from stoss.quasistatic._hertz import (
-    AxisymmetricStress, GreatestShear, PlaneStress, greatest_shear, heavy_disk_stress, hertz_pressure, hertz_stress,
+    AxisymmetricStress, GreatestShear, PlaneStress, greatest_shear, hertz_pressure, hertz_stress,
 )
 from stoss.quasistatic._oblique import (
     MawImpact, maw, mindlin_displacement, mindlin_force, mindlin_ratio, mindlin_stick_radius, mindlin_traction,
 )
 from stoss.quasistatic._rayleigh import RayleighEstimate, rayleigh
 from stoss.quasistatic._slow_impact import SlowImpact, slow_impact
-from stoss.quasistatic._static_contact import SoftStaticContact, StaticContact, soft_static_contact, static_contact
+from stoss.quasistatic._static_contact import StaticContact, static_contact
 
 __all__ = [
-    "AxisymmetricStress", "GreatestShear", "MawImpact", "PlaneStress", "RayleighEstimate", "SlowImpact", "SoftStaticContact", "StaticContact",
+    "AxisymmetricStress", "GreatestShear", "MawImpact", "PlaneStress", "RayleighEstimate", "SlowImpact", "StaticContact",
     "compression", "compression_energy", "compression_force", "contact_radius", "greatest_shear",
-    "heavy_disk_stress", "hertz_pressure", "hertz_stress", "limit_force", "limit_speed", "maw",
+    "hertz_pressure", "hertz_stress", "limit_force", "limit_speed", "maw",
     "mindlin_displacement", "mindlin_force", "mindlin_ratio", "mindlin_stick_radius", "mindlin_traction", "rayleigh",
-    "slow_impact", "soft_static_contact", "static_contact", "yield_speed",
+    "slow_impact", "static_contact", "yield_speed",
 ]  # fmt: skip

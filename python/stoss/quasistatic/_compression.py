@@ -15,7 +15,7 @@ from stoss.bodies._bodies import Disk, Sphere
 from stoss.bodies._encounter import choose_body
 from stoss.results._quantities import Number
 
-LAWS: Mapping[type, tuple[str, ...]] = {Disk: ("center", "diameter", "printed"), Sphere: ("center", "hertz")}
+LAWS: Mapping[type, tuple[str, ...]] = {Disk: ("center", "diameter"), Sphere: ("center", "hertz")}
 """Laws of compression of the bodies that have some."""
 
 _force = "F, 0 to `limit_force`, mc²/R; broadcasts with `poisson`."

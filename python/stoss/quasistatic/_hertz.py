@@ -1,4 +1,4 @@
-"""Stress under Hertz' contact, and in a disk that stands on a wall."""
+"""Stress under Hertz' contact."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss._arguments import arranged, broadcast, choice, instance, numbers
+from stoss._arguments import arranged, broadcast, instance, numbers
 from stoss.bodies._bodies import Disk, Sphere
 from stoss.results._quantities import Number
 
@@ -150,25 +150,3 @@ def greatest_shear(body: Sphere, *, force: ArrayLike) -> GreatestShear:
     ball: Sphere = instance("body", body, (Sphere,))
     (forces,), shape = _arrays(force=force)
     return GreatestShear(*_shaped(_core.greatest_shear(ball.poisson, forces), shape))
-
-
-def heavy_disk_stress(*, force: ArrayLike, x: ArrayLike, y: ArrayLike, contact: str = "point") -> PlaneStress:
-    """Stress in a disk that stands on a wall under its weight F = ρgR/E, E, as a `PlaneStress`.
-
-    A disk that the same force accelerates has the same stress.
-
-    Parameters:
-        force (array_like): F, 0 to 0.25, πRE.
-        x, y (array_like): Points of the disk, R: from the point of contact x goes through the
-            centre (1, 0), y along the wall. All three broadcast.
-        contact ({'point', 'hertz'}, optional): On one point, which is exact (Michell), or on a
-            Hertz contact, the superposition of Gerl & Zippelius for small F.
-
-    Examples:
-        >>> stress = stoss.quasistatic.heavy_disk_stress(force=0.001, x=1.0, y=0.0)
-        >>> round(stress.xx, 6), round(stress.yy, 6)
-        (-0.0015, 0.0005)
-    """
-    hertz = choice("contact", contact, ("point", "hertz")) == "hertz"
-    arrays, shape = _arrays(force=force, x=x, y=y)
-    return PlaneStress(*_shaped(_core.heavy_disk_stress(hertz, *arrays), shape))

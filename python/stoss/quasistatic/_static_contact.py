@@ -1,4 +1,4 @@
-"""Bodies held at rest against a hard wall, and before an exponential one."""
+"""Bodies held at rest against a hard wall."""
 
 from __future__ import annotations
 
@@ -12,9 +12,7 @@ from stoss import _core
 from stoss._arguments import brief, instance, integer, number
 from stoss._documentation import documented
 from stoss.bodies._bodies import Disk, Sphere
-from stoss.bodies._encounter import choose_body, contact
-from stoss.bodies._walls import ExponentialWall
-from stoss.results._quantities import SoftStaticContactQuantities
+from stoss.bodies._encounter import choose_body
 from stoss.results._result import Column, Result, picture, unit
 
 
@@ -95,65 +93,3 @@ def static_contact(
     function = _core.point_static_contact if isinstance(pressed, Sphere) else _core.static_contact
     found = function(pressed.poisson, delta, count)
     return StaticContact(body=pressed, poisson=pressed.poisson, compression=delta, **found)
-
-
-@dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class SoftStaticContact(SoftStaticContactQuantities, Result):
-    """A disk held at rest in front of an exponential wall.
-
-    Attributes:
-        compression: δ beyond the plane where V₀e^{αx} = 1, R.
-        cutoff: Highest frequency of the modes that deform, c/R.
-        energy, wall_energy: Of modes and wall, and the wall's share in it, mc².
-        modes, nodes, newton_steps: Of the disk; of the contact grid; of the solution.
-    """
-
-    _name: ClassVar[str] = "soft static contact"
-    _given = {"poisson": "", "compression": "length", "cutoff": "frequency"}
-    _told = ("against",)
-
-    poisson: float
-    compression: float
-    cutoff: float
-    against: ExponentialWall
-
-    def __repr__(self) -> str:
-        return (
-            f"SoftStaticContact(poisson={self.poisson:g}, compression={self.compression:g} R, {self.against!r}: "
-            f"force {self.force:.7g} piRE, {self.modes} modes)"
-        )
-
-
-@documented
-def soft_static_contact(
-    *,
-    poisson: float,
-    compression: float,
-    cutoff: float = 50.0,
-    against: ExponentialWall = ExponentialWall(),  # noqa: B008 (it is frozen)
-    nodes: int | None = None,
-) -> SoftStaticContact:
-    """The static calculation of Gerl and Zippelius, at a soft wall.
-
-    The modes take the coordinates of least energy. The compression counts from the plane where
-    V₀e^{αx} = 1. A pressure p stands ln(α/p)/α before that plane, 0.017 R for αR = 500 and p = 0.1,
-    by which a hard wall is farther away.
-
-    Parameters:
-        compression: δ, −0.5 to 0.5, R.
-        cutoff: Highest frequency of the modes, c/R; those above it are left out.
-        nodes: Of the contact grid, 64 to 2048; default: as many as wall and modes need.
-
-    Examples:
-        >>> wall = stoss.ExponentialWall(hardness=4000)
-        >>> soft = stoss.quasistatic.soft_static_contact(poisson=0.33, compression=0.03, cutoff=50, against=wall)
-        >>> hard = stoss.quasistatic.static_contact(poisson=0.33, compression=0.03)
-        >>> 1.0 < soft.force / hard.force < 1.3
-        True
-    """
-    disk = Disk(poisson=poisson)
-    delta, highest = number("compression", compression), number("cutoff", cutoff)
-    instance("against", against, (ExponentialWall,))
-    count = None if nodes is None else integer("nodes", nodes)
-    found = _core.soft_static_contact(contact(disk, against, highest, 1.0), delta, count)
-    return SoftStaticContact(poisson=disk.poisson, compression=delta, cutoff=highest, against=against, **found)

@@ -14,7 +14,7 @@ from stoss.bodies._bodies import Sphere, shown
 from stoss.bodies._encounter import Against
 from stoss.export import _tables
 from stoss.export._text import plain, span
-from stoss.results._quantities import Number, PredictionQuantities, QUANTITIES
+from stoss.results._quantities import PredictionQuantities, QUANTITIES
 from stoss.results._result import Column, Result, picture, unit
 
 CHANNELS: Mapping[str, str] = {

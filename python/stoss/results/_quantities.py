@@ -104,7 +104,6 @@ class Made(NamedTuple):
 
 CLASSES: Mapping[str, Made] = {
     "BounceQuantities": Made("bounce", "column"),
-    "ExtrapolationQuantities": Made("extrapolation", "one", in_si=False, left_out=("impacts",)),
     "ImpactQuantities": Made("impact", "one"),
     "ModeQuantities": Made("mode", "column", in_si=False, left_out=("family",)),
     "ObliqueImpactQuantities": Made("oblique impact", "one"),
@@ -117,7 +116,6 @@ CLASSES: Mapping[str, Made] = {
     "SampleQuantities": Made("sample", "column"),
     "SlowImpactQuantities": Made("point slow impact", "many", optional=("max_radius",)),
     "SnapshotQuantities": Made("snapshot", "column"),
-    "SoftStaticContactQuantities": Made("soft static contact", "one", in_si=False),
 }
 
 

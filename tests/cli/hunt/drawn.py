@@ -10,7 +10,7 @@ BODY_FILES = sorted(Path(__file__).parents[3].glob("examples/any_body/*_30.json"
 
 # Options of each command, beside body and partner, by what draws a value; those of its own are given in `_drawn`.
 OPTIONS = {
-    "restitution": {"tolerance": (1e-9, 0.5), "absolute": (1e-9, 0.5), "method": ("converge", "extrapolate")},
+    "restitution": {"tolerance": (1e-9, 0.5), "absolute": (1e-9, 0.5)},
     "oblique": {"tolerance": (1e-4, 0.5), "spin": (1e-4, 0.3), "second-spin": (1e-4, 0.3), "kinematics": ("linear",)},
     "impact": {"cutoff": (0.1, 300), "step": (1e-5, 1), "nodes": (16, 4096), "tail": ("radiating", "static")},
     "predict": {"tolerance": (1e-6, 0.5), "adhesion": (1e-3, 10), "uncertainty": ("young=0.1", "yield_strength=1")},
@@ -18,10 +18,10 @@ OPTIONS = {
               "format": ("c", "two-column", "json"), "beyond": ("clamp", "error"), "name": ("a", "a b")},
     "bounce": {"count": (1, 1e4), "decay-time": (1, 1e4), "tail": ("radiating", "static"), "cutoff": (0.1, 300)},
     "distribution": {"samples": (1, 1e5), "error": (1e-7, 0.5), "highest": (1, 300), "seed": (1, 1e9)},
-    "quasistatic": {"cutoff": (1, 2000), "law": ("center", "diameter", "printed", "hertz")},
+    "quasistatic": {"cutoff": (1, 2000), "law": ("center", "diameter", "hertz")},
     "modes": {"cutoff": (1, 2000)},
 }
-RARE = {"adhesion": 0.1, "friction": 0.1, "tolerance": 0.2, "highest": 0.2, "second-spin": 0.1, "method": 0.1}
+RARE = {"adhesion": 0.1, "friction": 0.1, "tolerance": 0.2, "highest": 0.2, "second-spin": 0.1}
 WHOLE = {"nodes", "count", "samples", "seed"}
 TAKES_MATERIAL = ("predict",)
 # Bodies and partners that some commands take; all others are drawn too, at times.

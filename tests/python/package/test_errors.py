@@ -35,10 +35,6 @@ def impact(**changed):
     return stoss.impact(**{**DISK, "cutoff": 6, **changed})
 
 
-def extrapolated(**changed):
-    return stoss.extrapolated_restitution(**{**DISK, "cutoffs": [5, 6, 7], "hardnesses": [50, 60, 70], **changed})
-
-
 def material(**changed):
     return stoss.Material(**{**METAL, **changed})
 
@@ -90,10 +86,6 @@ RANGES = [
     (impact, "half_width", [0, -1, 3.2, nan, inf]),
     (modes, "poisson", [1, nan]),
     (modes, "cutoff", [-1, 1001, nan]),
-    (extrapolated, "poisson", [1, nan]),
-    (extrapolated, "speed", [0.0009, 0.51, nan]),
-    (extrapolated, "cutoffs", [[5, 6], [5, 7, 6], [5, nan, 7], 5, [5, 6, inf]]),
-    (extrapolated, "hardnesses", [[50, 60], [50, 70, 60], [50, nan, 70]]),
     (soft, "hardness", [0.9, 1.1e6, nan, inf]),
     (soft, "strength", [0, -1, nan, inf]),
     (material, "young", [0, -1, nan, inf]),
@@ -239,7 +231,7 @@ def test_signatures():
     for call in (stoss.restitution, stoss.impact, stoss.modes):
         with pytest.raises(TypeError, match="positional"):
             call(disk(), 0.1)
-    calls = [stoss.extrapolated_restitution, stoss.Disk, stoss.Material]
+    calls = [stoss.Disk, stoss.Material]
     calls += [stoss.HardWall, stoss.ExponentialWall, stoss.Rod]
     calls += [impact().trajectory, impact().field, modes().displacement]
     for call in calls:
@@ -247,6 +239,6 @@ def test_signatures():
             call(0.3)
         with pytest.raises(TypeError, match="unexpected keyword"):
             call(poison=0.3)
-    for call in (stoss.restitution, stoss.impact, stoss.modes, stoss.extrapolated_restitution):
+    for call in (stoss.restitution, stoss.impact, stoss.modes):
         with pytest.raises(TypeError, match="missing"):
             call()

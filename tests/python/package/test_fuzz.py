@@ -142,14 +142,12 @@ slip = stoss.oblique_impact(stoss.Disk(poisson=0.33), speed=0.1, angle=20, frict
 modes = stoss.modes(poisson=0.33, cutoff=6)
 DISK = stoss._core.encounter('{"first": {"kind": "disk", "poisson": 0.3}}')
 RODS = stoss._core.encounter('{"first": {"kind": "rod"}, "against": "same"}')
-few = {"cutoffs": [4, 5, 6], "hardnesses": [50, 60, 70]}
 PUBLIC = {
     "restitution": (stoss.restitution, CHEAP),
     "impact": (stoss.impact, CHEAP),
     "oblique_impact": (stoss.oblique_impact, {"body": stoss.Sphere(poisson=0.3), "friction": 0.3, "speed": 0.1,
                                               "cutoff": 6}),
     "modes": (stoss.modes, CHEAP),
-    "extrapolated_restitution": (stoss.extrapolated_restitution, {**CHEAP, **few}),
     "Disk": (stoss.Disk, CHEAP),
     "Material": (stoss.Material, {"young": 1, "poisson": 0.3, "density": 1}),
     "Rod": (stoss.Rod, {}),

@@ -29,14 +29,12 @@ LONG = {
     "sequence": "stoss.bounce(poisson=0.33, speed=0.1, count=10**8, flight_time=30)",
     "trajectory": "hit.trajectory()",
     "field": "hit.field(time=np.linspace(0, 6, 3000))",
-    "extrapolation": "stoss.extrapolated_restitution(poisson=0.33, speed=0.1, cutoffs=np.geomspace(20, 80, 30))",
     "one value": "stoss.restitution(poisson=-0.95, speed=1.0, tolerance=1e-7, absolute=0)",
     "chain of rods": "stoss.rod_chain([stoss.Rod(length=1 + k / 100) for k in range(20)], circumference=220,"
     " temperature=1, collisions=10**6)",
     # Set-ups, each a second and more.
     "modes": "[stoss.modes(poisson=nu, cutoff=1000) for nu in (0.33, 0.4)]",
     "body": "stoss.impact(poisson=0.33, speed=0.1, cutoff=1000)",
-    "bodies": "stoss.extrapolated_restitution(poisson=0.33, speed=0.1, cutoffs=[900, 950, 1000])",
     "2048 nodes": "stoss.impact(poisson=0.33, speed=0.1, nodes=2048)",
     "4096 nodes": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096)",
     "4096 nodes, static tail": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096, tail='static')",
@@ -48,7 +46,6 @@ LONG = {
     "slow impacts": "stoss.quasistatic.slow_impact(poisson=0.33, speed=np.geomspace(1e-12, 0.1, 10**6))",
     "rayleigh": "stoss.quasistatic.rayleigh(poisson=0.33, speed=1e-3, cutoff=1000)",
     "static contact": "[stoss.quasistatic.static_contact(poisson=0.33, compression=0.1, nodes=1024) for _ in range(9)]",
-    "soft static contact": "stoss.quasistatic.soft_static_contact(poisson=0.33, compression=0.1, cutoff=200, nodes=2048)",
 }
 LATER = {"4096 nodes": (0.3, 2.0, 6.0), "4096 nodes, static tail": (0.6, 1.0, 0.8),
          "pair, 4096 nodes": (1.0, 2.2, 2.0), "field at many points": (0.25, 0.75, 0.5)}  # fmt: skip
@@ -181,7 +178,6 @@ class Counter(threading.Thread):
     lambda: stoss.restitution(poisson=0.33, speed=np.geomspace(1e-3, 0.3, 40), tolerance=1e-3, threads=1),
     lambda: stoss.impact(poisson=0.33, speed=0.1, cutoff=60, step=5e-4),
     lambda: stoss.modes(poisson=0.33, cutoff=500),
-    lambda: stoss.extrapolated_restitution(poisson=0.33, speed=0.1),
 ])  # fmt: skip
 def test_other_threads_run_meanwhile(call):
     with Counter() as other:

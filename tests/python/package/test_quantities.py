@@ -78,8 +78,8 @@ RESULTS = {
         f"oblique --speed 1,2 --tangential 0.5 --friction 0.3 {OF_A_BALL}"),
     "rayleigh": (lambda: Q.rayleigh(poisson=0.33, speed=1e-3), "quasistatic --poisson 0.33 --speed 1e-3"),
     "rayleigh-ball": (lambda: Q.rayleigh(BALL, speed=[0.01, 0.02]), f"quasistatic --speed 0.01,0.02 {OF_A_BALL}"),
-    "rayleigh-law": (lambda: Q.rayleigh(poisson=0.33, speed=[1e-100, 1e-4], law="printed", cutoff=15),
-                     "quasistatic --poisson 0.33 --speed 1e-100,1e-4 --law printed --cutoff 15"),
+    "rayleigh-law": (lambda: Q.rayleigh(poisson=0.33, speed=[1e-100, 1e-4], law="diameter", cutoff=15),
+                     "quasistatic --poisson 0.33 --speed 1e-100,1e-4 --law diameter --cutoff 15"),
     "rayleigh-hertz": (
         lambda: Q.rayleigh(stoss.Sphere(poisson=0.3), speed=[1e-12, 0.1], law="hertz", cutoff=15),
         "quasistatic --body sphere --poisson 0.3 --speed 1e-12,0.1 --law hertz --cutoff 15"),
@@ -95,13 +95,11 @@ RESULTS = {
     "distribution-si": (lambda: stoss.restitution_distribution(DISK, **WARM), f"distribution {OF_A_DISK} {HEATED}"),
     "modes": (lambda: stoss.modes(poisson=0.33, cutoff=8), "modes --poisson 0.33 --cutoff 8"),
     "modes-ball": (lambda: stoss.modes(stoss.Sphere(poisson=0.3), cutoff=8), "modes --body sphere --poisson 0.3 --cutoff 8"),
-    "extrapolation": (lambda: stoss.extrapolated_restitution(poisson=0.33, speed=0.3), None),
     "trajectory": (lambda: stoss.impact(ROD, speed=1.0, cutoff=20).trajectory(every=10), None),
     "oblique impact": (oblique_impact, None),
     "oblique ledger": (lambda: oblique_impact().energy, None),
     "oblique trajectory": (lambda: oblique_impact().trajectory(every=20), None),
     "slow impact": (lambda: Q.slow_impact(BALL, speed=0.01), None),
-    "soft contact": (lambda: Q.soft_static_contact(poisson=0.3, compression=0.02, cutoff=10), None),
 }  # fmt: skip
 # What one of the faces has in another form: the command as lists, Python as properties and inputs.
 ELSEWHERE = {"poisson", "angle", "runs", "modes", "half_width", "family"}
@@ -183,15 +181,9 @@ def test_values_columns_and_units_are_those_of_the_command(computed, command, na
         assert [dict(zip(modes.dtype.names, row)) for row in modes.tolist()] == driven
 
 
-def test_extrapolation_is_that_of_the_command(computed, command):
-    (record,) = command("restitution --method extrapolate --poisson 0.33 --speed 0.3")["records"]
-    assert record.pop("hard_wall") and record.items() <= computed("extrapolation").to_dict().items()
-
-
 def test_arrays_have_the_quantities_of_the_core(computed):
     slow = Q.rayleigh(poisson=0.33, speed=1e-3, cutoff=10)
-    for kind, array in (("mode energy", computed("impact").mode_energies), ("driven mode", slow.mode_energies),
-                        ("soft impact", computed("extrapolation").impacts)):  # fmt: skip
+    for kind, array in (("mode energy", computed("impact").mode_energies), ("driven mode", slow.mode_energies)):
         assert sorted(array.dtype.names) == sorted(QUANTITIES[kind])
 
 

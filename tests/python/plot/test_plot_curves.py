@@ -177,26 +177,6 @@ def test_new_figures_fit_a_column(curve):
     assert sizes == {7.0, 8.0} and ax.get_legend().get_texts()[0].get_size() == 7.0
 
 
-def test_extrapolation():
-    found = stoss.extrapolated_restitution(poisson=0.33, speed=0.1, cutoffs=[12, 15, 19])
-    ax = found.plot()
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("inverse hardness 1/(αR)", "lost fraction 1 − ε²")
-    points = {line.get_label(): line for line in ax.lines if line.get_linestyle() == "None"}
-    lines = [line for line in ax.lines if np.size(line.get_xdata()) == 2 and line.get_linestyle() != "None"]
-    for k, cutoff in enumerate((12.0, 15.0, 19.0)):
-        series = found.impacts[found.impacts["cutoff"] == cutoff]
-        shown = points[f"{series['modes'][0]} modes"]
-        assert np.array_equal(shown.get_xdata(), 1.0 / series["hardness"])
-        assert np.array_equal(shown.get_ydata(), series["lost_fraction"])
-        slope, at_zero = np.polyfit(1.0 / series["hardness"], series["lost_fraction"], 1)
-        x, y = lines[k].get_data()
-        assert x[0] == 0.0 and y[0] == found.hard_wall["value"][k]
-        np.testing.assert_allclose(y, at_zero + slope * x, rtol=1e-9)
-    last = drawn(ax)[-1]
-    error = found.lost_fraction_error
-    np.testing.assert_allclose(bars(last), [[found.lost_fraction - error, found.lost_fraction + error]])
-
-
 @pytest.mark.parametrize(
     "arguments, message",
     [
@@ -223,8 +203,3 @@ def test_failure_leaves_no_figure(curve):
     with pytest.raises(AttributeError):
         stoss.plot.restitution(curve, colour="red")
     assert pyplot.get_fignums() == []
-
-
-def test_extrapolation_refuses_other_things(curve):
-    with pytest.raises(stoss.InvalidInput, match="^result: "):
-        stoss.plot.extrapolation(curve)

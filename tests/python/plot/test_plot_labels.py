@@ -33,12 +33,6 @@ PICTURES = {
         ),
         ("speed of approach v / c", "restitution ε", "ratio 1", "ratio 1.5"),
     ),
-    "extrapolation": (
-        lambda plot: plot.extrapolation(
-            stoss.extrapolated_restitution(poisson=0.33, speed=0.1, cutoffs=[12, 15, 19])
-        ),
-        ("inverse hardness 1/(αR)", "lost fraction 1 − ε²", "all modes"),
-    ),
     "bounces": (
         lambda plot: stoss.bounce(poisson=0.33, speed=0.2, count=20, flight_time=30, cutoff=8).plot(),
         ("restitution ε", "impact", "unexcited"),

@@ -17,8 +17,6 @@ WAITING = {
     "bounce": ("_bounce", lambda **more: stoss.bounce(BALL, speed=0.05, count=2, flight_time=30, **more)),
     "collision_rule": ("_adaptive_rule", lambda **more: stoss.collision_rule(
         BALL, speed=(0.01, 0.011), error=0.05, tolerance=0.1, **more)),
-    "extrapolated_restitution": ("_curves", lambda **more: stoss.extrapolated_restitution(
-        poisson=0.33, speed=0.3, cutoffs=[5, 6, 7], hardnesses=[50, 100, 200], **more)),
     "impact": ("_impact", lambda **more: stoss.impact(BALL, speed=0.1, cutoff=10, **more)),
     "oblique_impact": ("_oblique_impact", lambda **more: stoss.oblique_impact(
         BALL, speed=0.05, angle=40, friction=0.3, cutoff=10, **more)),

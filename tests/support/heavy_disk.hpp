@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cmath>
+
 #include "stoss/quasistatic/hertz.hpp"
 
-namespace stoss::quasistatic {
+namespace stoss::test {
 
 /// Contact of a disk with the wall on which it stands in a gravitational field.
 enum class HeavyDiskContact {
@@ -20,9 +22,19 @@ enum class HeavyDiskContact {
 /// div σ = (F, 0). With the point contact all components vanish on the whole edge. With Hertz' contact the edge keeps
 /// tractions that should not be there: F²/(1 − cos φ) at most at the angle φ from the contact, a share F of what the
 /// load makes there; and up to 0.7 F^¾ next to its ends, where the edge has left the surface of the half-plane by ½a².
-/// @param force F, 0 … 0.25 πRE
-/// @param x, y  a point of the disk, R; to 1e-12 outside for rounding
-/// @throws InvalidInput for a point outside the disk or, for `point`, nearer than 1e-100 to the point of contact
-[[nodiscard]] PlaneStress heavy_disk_stress(HeavyDiskContact contact, double force, double x, double y);
+inline quasistatic::PlaneStress heavy_disk_stress(HeavyDiskContact contact, double force, double x, double y) {
+  quasistatic::PlaneStress stress;
+  if (contact == HeavyDiskContact::point) {
+    const double r = std::hypot(x, y), c = x / r, s = y / r;
+    const double radial = -2.0 * force * c / r;
+    stress = {radial * c * c, radial * s * s, radial * c * s};
+  } else {
+    stress = quasistatic::hertz_stress(force, std::fmax(x, 0.0), y);
+  }
+  stress.xx += 0.5 * force * x;
+  stress.yy += force * (1.0 - 0.5 * x);
+  stress.xy += 0.5 * force * y;
+  return stress;
+}
 
-}  // namespace stoss::quasistatic
+}  // namespace stoss::test
