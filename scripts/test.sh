@@ -37,7 +37,8 @@ friends() { /usr/bin/python3 scripts/friends.py --jobs "$jobs" "$@"; }
 
 # While the library is compiled, what only its tests need is installed.
 scripts/install-dependencies.sh build
-case $tier in long) packages=long ;; *) packages=test ;; esac
+case $tier in long) packages=long STOSS_EXAMPLES=300 ;; *) packages=test STOSS_EXAMPLES=100 ;; esac
+export STOSS_EXAMPLES  # of fuzzed arguments and files of Python
 mkdir -p build
 scripts/install-dependencies.sh "$packages" >build/packages.log 2>&1 &
 installing=$!

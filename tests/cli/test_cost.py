@@ -91,7 +91,8 @@ def test_a_table_of_balls_that_stay_ends_with_an_error_that_it_can_have(stoss):
     "arguments",
     [
         "--speed 1e-3 --tolerance 1e-5 --against plate,thickness=0.1",  # what no run tells of a ball that stays
-        "--speed 9e-4 --tolerance 1e-6 --against half-space,young=1e-3,density=1e3",  # too many points
+        # too many points
+        pytest.param("--speed 9e-4 --tolerance 1e-6 --against half-space,young=1e-3,density=1e3", marks=pytest.mark.long),
     ],
 )
 def test_an_oblique_ladder_without_hope_ends_with_the_best_value(stoss, arguments):

@@ -154,6 +154,7 @@ def test_table_fits_a_terminal(stoss, more):
     assert "speed_si" in si[0] and "m/s" in si[1] and max(map(len, si)) <= 80
 
 
+@pytest.mark.long
 def test_disks_as_unequal_as_is_documented_have_a_value(stoss):
     job = "oblique --poisson 0.3 --speed 0.01 --angle 30 --friction 0.3 --against disk,radius="
     (known,) = stoss.data(job + "100")

@@ -5,6 +5,8 @@ import math
 
 import pytest
 
+pytestmark = pytest.mark.numbers
+
 R, YOUNG, DENSITY, POISSON = 0.02, 210e9, 7850.0, 0.3
 
 
@@ -53,7 +55,8 @@ WORDS = {
     "bounce": "--speed 0.1 --count 3 --flight-time 1 --format json", "table": "--speed 0.01:0.1 --error 1e-2 --format json",
     "oblique": "--speed 0.1 --friction 0.1 --angle 20 --format json",
 }  # fmt: skip
-BODIES = ["1 mode", "2 modes", "5 modes", "10 Hz", "10 Hz and 66 kHz", "soft", "shell 0.01", "shell 0.003"]
+BODIES = ["1 mode", "5 modes", "10 Hz", "shell 0.01"]
+BODIES += [pytest.param(which, marks=pytest.mark.long) for which in ("2 modes", "10 Hz and 66 kHz", "soft", "shell 0.003")]
 
 
 @pytest.mark.parametrize("which", BODIES)

@@ -5,6 +5,7 @@ import shlex
 import pytest
 from judged import ANSWER, judge, run
 
+pytestmark = pytest.mark.numbers
 BALL = "--body sphere --poisson 0.3 --speed 0.01"
 SIZES = [f"1e{sign}{power}" for power in (300, 150, 30) for sign in ("", "-")]
 STIFF_BASE = "plate,thickness=6,young=0.0011,density=0.11/thickness=1,young=300,density=0.01"

@@ -4,6 +4,7 @@ hang, no more memory than a file of its size may ask for."""
 import contextlib
 import io
 import json
+import os
 import resource
 import time
 import zipfile
@@ -16,7 +17,9 @@ from hypothesis import strategies as st
 import stoss
 
 # Always the same examples.
-FUZZ = settings(derandomize=True, database=None, deadline=None, max_examples=300,
+# All of them in make test-long.
+EXAMPLES = int(os.environ.get("STOSS_EXAMPLES", "100"))
+FUZZ = settings(derandomize=True, database=None, deadline=None, max_examples=EXAMPLES,
                 suppress_health_check=list(HealthCheck))  # fmt: skip
 ROOM = 1 << 30  # bytes beyond what the process has
 

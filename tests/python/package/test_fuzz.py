@@ -3,6 +3,7 @@ signature; the private module stoss._core refuses too, without a crash."""
 
 import inspect
 import math
+import os
 import warnings
 
 import numpy as np
@@ -14,7 +15,9 @@ from hypothesis.extra import numpy as arrays
 import stoss
 
 # An example that takes longer than five seconds is a defect too.
-FUZZ = settings(derandomize=True, database=None, deadline=5000, max_examples=300,
+# All of them in make test-long.
+EXAMPLES = int(os.environ.get("STOSS_EXAMPLES", "100"))
+FUZZ = settings(derandomize=True, database=None, deadline=5000, max_examples=EXAMPLES,
                 suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large])  # fmt: skip
 CHEAP = {"cutoff": 6.0, "tolerance": 0.1, "speed": 0.1, "poisson": 0.33}
 

@@ -78,6 +78,7 @@ def predicted(example_folder):
     return list(csv.DictReader((folder / "drop_test.csv").read_text(encoding="utf-8").splitlines()))
 
 
+@pytest.mark.long
 def test_closed_forms(rows):
     for row in rows:
         ball, block = solids(row["ball"], row["block"], loss_time=0)
