@@ -86,7 +86,8 @@ void refuse_empty_values(CLI::App& app) {
     if (option->get_expected_min() == 0) continue;  // a flag
     const std::string name = option->get_single_name();
     option->transform([name](std::string text) {
-      if (text.empty()) throw InvalidInput(fmt::format("{}: got '', allowed a value (is a variable not set?)", name));
+      if (text.empty())
+        throw InvalidInput::out_of_range(fmt::format("{}", name), "''", "a value", "is a variable not set?");
       return text;
     });
   }

@@ -31,7 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       (void)cli::parse_speeds(speed, cli::units_of(encounter));
     } catch (const CLI::Error&) {  // of usage
     } catch (const InvalidInput& error) {
-      throw InvalidInput(visible(error.what()));  // as the command says it
+      throw InvalidInput::conflict("command", visible(error.what()));  // as the command says it
     }
   });
   return 0;

@@ -14,9 +14,7 @@ namespace {
 
 [[noreturn]] void refuse(std::string_view name, const std::string& got, std::string_view allowed,
                          std::string_view hint) {
-  std::string line(name);
-  line.append(": got ").append(got).append(", allowed ").append(allowed).append(" (").append(hint).append(")");
-  throw InvalidInput(line);
+  throw InvalidInput::out_of_range(std::string(name), got, std::string(allowed), std::string(hint));
 }
 
 std::string with_digits(double value, int digits) {

@@ -49,8 +49,8 @@ Ensemble make_ensemble(DistributionArguments& arguments, const Encounter& encoun
   const Poll poll = waiting(arguments.rows.output, "modes that vibrate");
   Spectrum spectrum = arguments.spectrum.spectrum(contact, poll);
   if (arguments.seed < 0) {
-    throw InvalidInput(
-        fmt::format("seed: got {}, allowed 0 to 2147483647 (another one, another ensemble)", arguments.seed));
+    throw InvalidInput::out_of_range("seed", fmt::format("{}", arguments.seed), "0 to 2147483647",
+                                     "another one, another ensemble");
   }
   const DistributionOptions options{.samples = arguments.samples,
                                     .seed = static_cast<std::uint64_t>(arguments.seed),

@@ -24,16 +24,18 @@ void run(const FitArguments& arguments) {
   const Encounter encounter = arguments.who.encounter();
   refuse_soft(encounter);
   if (encounter.first.kind != "sphere") {
-    throw InvalidInput(fmt::format("body: got {}, allowed sphere (laws are those of balls)", encounter.first.kind));
+    throw InvalidInput::out_of_range("body", fmt::format("{}", encounter.first.kind), "sphere",
+                                     "laws are those of balls");
   }
   const std::vector<std::string> ends = split(arguments.speed, ':');
   if (ends.size() != 2) {
-    throw InvalidInput(fmt::format("speed: got '{}', allowed SLOWEST:FASTEST, as in 0.01:1", arguments.speed));
+    throw InvalidInput::out_of_range("speed", fmt::format("'{}'", arguments.speed), "SLOWEST:FASTEST, as in 0.01:1");
   }
   const std::vector<double> typed = parse_series("speed", ends[0] + "," + ends[1]);
   if (const auto speeds = parse_speeds(ends[0] + "," + ends[1], units_of(encounter));
       speeds.size() != 2 || speeds[0] >= speeds[1]) {
-    throw InvalidInput(fmt::format("speed: got '{}', allowed a slowest speed below the fastest", arguments.speed));
+    throw InvalidInput::out_of_range("speed", fmt::format("'{}'", arguments.speed),
+                                     "a slowest speed below the fastest");
   }
   std::vector<std::string> words{"fit",
                                  "--law=" + arguments.law,

@@ -85,15 +85,15 @@ void write_table(Output output, const Columns& columns, const Row& row, std::vec
 
 void check_trajectory(const ImpactArguments& arguments) {
   if (!arguments.trajectory.empty() && same_output(arguments.trajectory, arguments.output.path)) {
-    throw InvalidInput(
-        "trajectory: got the file of --output or stdout, allowed another one (one would overwrite the other)");
+    throw InvalidInput::out_of_range("trajectory", "the file of --output or stdout", "another one",
+                                     "one would overwrite the other");
   }
   if (arguments.every < 1) {
-    throw InvalidInput(
-        fmt::format("every: got {}, allowed 1 or more (steps between two rows of the trajectory)", arguments.every));
+    throw InvalidInput::out_of_range("every", fmt::format("{}", arguments.every), "1 or more",
+                                     "steps between two rows of the trajectory");
   }
   if (given(*arguments.command, "--every") && arguments.trajectory.empty()) {
-    throw InvalidInput("every: got --every without --trajectory, allowed only with it (it thins out its rows)");
+    throw InvalidInput::out_of_range("every", "--every without --trajectory", "only with it", "it thins out its rows");
   }
 }
 

@@ -51,7 +51,7 @@ struct Collisions {
 void check_kinematics(const std::string& name) {
   if (name == "linear") return;
   const char* const why = name == "turning" ? " (that what is elastic turns with the body is not computed)" : "";
-  throw InvalidInput(fmt::format("kinematics: got {}, allowed linear{}", shortened(name), why));
+  throw InvalidInput::out_of_range("kinematics", fmt::format("{}", shortened(name)), fmt::format("linear{}", why));
 }
 
 Columns Collisions::key_columns() const {
@@ -93,9 +93,9 @@ Collisions make_collisions(const ObliqueArguments& arguments) {
   const double size = static_cast<double>(speeds.size()) * static_cast<double>(along.size()) *
                       static_cast<double>(spins.size()) * static_cast<double>(second_spins.size());
   if (size > longest_series) {
-    throw InvalidInput(
-        fmt::format("speed: got {:.0f} values in all, speeds times tangentials times spins, allowed up to {}", size,
-                    longest_series));
+    throw InvalidInput::out_of_range("speed",
+                                     fmt::format("{:.0f} values in all, speeds times tangentials times spins", size),
+                                     fmt::format("up to {}", longest_series));
   }
   for (const double speed : speeds) {
     for (const double motion : along) {

@@ -36,7 +36,7 @@ std::vector<double> speeds_of(const PredictArguments& arguments) {
   if (!arguments.speeds.empty()) return parse_series("speed", arguments.speeds);
   std::vector<double> speeds = parse_series("height", arguments.heights);
   for (double& each : speeds) {
-    if (!(each > 0.0)) throw InvalidInput(fmt::format("height: got {}, allowed above 0 (of a fall, m)", each));
+    if (!(each > 0.0)) throw InvalidInput::out_of_range("height", fmt::format("{}", each), "above 0", "of a fall, m");
     each = speed_of_drop(each);
   }
   return speeds;
@@ -50,12 +50,12 @@ PredictionOptions options_of(const PredictArguments& arguments) {
   for (const std::string& each : arguments.uncertainties) {
     const std::size_t sign = each.find('=');
     if (sign == std::string::npos) {
-      throw InvalidInput(fmt::format("uncertainty: got '{}', allowed NAME=U, as in young=0.05", shortened(each)));
+      throw InvalidInput::out_of_range("uncertainty", fmt::format("'{}'", shortened(each)), "NAME=U, as in young=0.05");
     }
     const std::string name = each.substr(0, sign);
     const double its = parse_number("uncertainty " + name, each.substr(sign + 1));
     if (!options.uncertainties.emplace(name, its).second) {
-      throw InvalidInput(fmt::format("uncertainty {}: given twice, allowed once", shortened(name)));
+      throw InvalidInput::conflict(fmt::format("uncertainty {}", shortened(name)), "given twice, allowed once");
     }
   }
   return options;

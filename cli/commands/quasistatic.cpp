@@ -124,11 +124,12 @@ template <typename Of>
 void compressions(const QuasistaticArguments& arguments, const Of& of, const Yielding& yielding,
                   const Provenance& provenance) {
   if (given(*arguments.command, "--cutoff")) {
-    throw InvalidInput("cutoff: got --cutoff with --compression, allowed only with --speed (here all modes count)");
+    throw InvalidInput::out_of_range("cutoff", "--cutoff with --compression", "only with --speed",
+                                     "here all modes count");
   }
   if (yielding.speed) {
-    throw InvalidInput(
-        "yield: got --yield with --compression, allowed only with --speed (give the speed, not the compression)");
+    throw InvalidInput::out_of_range("yield", "--yield with --compression", "only with --speed",
+                                     "give the speed, not the compression");
   }
   const OutputOptions& output = arguments.output;
   constexpr double least = 1e-12, greatest = 0.5;  // of a static contact, R
@@ -160,13 +161,13 @@ void compressions(const QuasistaticArguments& arguments, const Of& of, const Yie
 CompressionLaw line_law(const std::string& law) {
   if (law == "center") return CompressionLaw::center;
   if (law == "diameter") return CompressionLaw::diameter;
-  throw InvalidInput(fmt::format("law: got {} with --body disk, allowed center or diameter", law));
+  throw InvalidInput::out_of_range("law", fmt::format("{} with --body disk", law), "center or diameter");
 }
 
 PointLaw point_law(const std::string& law) {
   if (law == "center") return PointLaw::center;
   if (law == "hertz") return PointLaw::hertz;
-  throw InvalidInput(fmt::format("law: got {} with --body sphere, allowed center or hertz", law));
+  throw InvalidInput::out_of_range("law", fmt::format("{} with --body sphere", law), "center or hertz");
 }
 
 std::variant<LineContact, PointContact> contact_of(const Solid& solid, const std::string& law) {

@@ -96,14 +96,16 @@ Job make_job(RestitutionArguments& arguments) {
   Job job{arguments.who.encounter(), std::move(poissons), {}};
   refuse_soft(job.encounter, " (stoss impact meets an exponential wall)");
   if (job.units.si && job.poissons.size() > 1) {
-    throw InvalidInput(fmt::format("poisson: got {} numbers with a material, allowed one (a material has only one)",
-                                   job.poissons.size()));
+    throw InvalidInput::out_of_range("poisson", fmt::format("{} numbers with a material", job.poissons.size()), "one",
+                                     "a material has only one");
   }
   if (job.units.si) job.poissons = {poisson_of(job.encounter).value_or(0.0)};
   job.speeds = parse_speeds(arguments.speeds, job.units);
   if (job.size() > longest_series) {
-    throw InvalidInput(fmt::format("speed: got {} speeds for each of {} Poisson's ratios, {} values, allowed up to {}",
-                                   job.speeds.size(), job.poissons.size(), job.size(), longest_series));
+    throw InvalidInput::out_of_range("speed",
+                                     fmt::format("{} speeds for each of {} Poisson's ratios, {} values",
+                                                 job.speeds.size(), job.poissons.size(), job.size()),
+                                     fmt::format("up to {}", longest_series));
   }
   return job;
 }

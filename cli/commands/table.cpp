@@ -24,19 +24,22 @@ namespace {
 void check_format(const TableArguments& arguments) {
   for (const std::string option : {"tolerance", "friction"}) {
     if (arguments.oblique || !given(*arguments.command, "--" + option)) continue;
-    throw InvalidInput(fmt::format("{0}: got --{0}, allowed only with --oblique (the whole collision rule)", option));
+    throw InvalidInput::out_of_range(fmt::format("{}", option), fmt::format("--{}", option), "only with --oblique",
+                                     "the whole collision rule");
   }
   for (const std::string option : {"oblique", "ratio"}) {
     if (!arguments.predicted || !given(*arguments.command, "--" + option)) continue;
-    throw InvalidInput(fmt::format("{0}: got --{0} with --predict, allowed only without", option));
+    throw InvalidInput::out_of_range(fmt::format("{}", option), fmt::format("--{} with --predict", option),
+                                     "only without");
   }
   if (arguments.adhesion && !arguments.predicted) {
-    throw InvalidInput("adhesion: got --adhesion, allowed only with --predict (yield and adhesion are models)");
+    throw InvalidInput::out_of_range("adhesion", "--adhesion", "only with --predict", "yield and adhesion are models");
   }
   const std::string& format = arguments.format;
   const auto require = [&](const std::string& option, bool goes_with, const std::string& allowed) {
     if (goes_with || !given(*arguments.command, "--" + option)) return;
-    throw InvalidInput(fmt::format("{0}: got --{0} with --format {1}, allowed only with {2}", option, format, allowed));
+    throw InvalidInput::out_of_range(fmt::format("{}", option), fmt::format("--{} with --format {}", option, format),
+                                     fmt::format("only with {}", allowed));
   };
   require("name", format == "c", "--format c");
   require("ratio", format != "two-column", "c, json and, with --oblique, netcdf");
@@ -49,8 +52,8 @@ TableJob make_job(const TableArguments& arguments) {
   const std::vector<std::string> ends = split(arguments.speed, ':');
   if (arguments.oblique && arguments.format == "two-column") {
     if (ends.size() != 1) {
-      throw InvalidInput(
-          fmt::format("speed: got '{}', allowed one speed for two columns of --oblique", arguments.speed));
+      throw InvalidInput::out_of_range("speed", fmt::format("'{}'", arguments.speed),
+                                       "one speed for two columns of --oblique");
     }
     constexpr double around = 1.01;  // a table has a range
     const double speed = parse_speed(arguments.speed, units_of(encounter));
@@ -58,12 +61,13 @@ TableJob make_job(const TableArguments& arguments) {
     return {std::move(encounter), typed, {std::max(speed / around, 1e-8), std::min(speed * around, 1.0)}};
   }
   if (ends.size() != 2) {
-    throw InvalidInput(fmt::format("speed: got '{}', allowed SLOWEST:FASTEST, as in 1e-4:0.3", arguments.speed));
+    throw InvalidInput::out_of_range("speed", fmt::format("'{}'", arguments.speed), "SLOWEST:FASTEST, as in 1e-4:0.3");
   }
   const std::string both = ends[0] + "," + ends[1];
   const std::vector<double> typed = parse_series("speed", both), speeds = parse_speeds(both, units_of(encounter));
   if (speeds.size() != 2 || speeds[0] >= speeds[1]) {
-    throw InvalidInput(fmt::format("speed: got '{}', allowed a slowest speed below the fastest", arguments.speed));
+    throw InvalidInput::out_of_range("speed", fmt::format("'{}'", arguments.speed),
+                                     "a slowest speed below the fastest");
   }
   return {std::move(encounter), typed, speeds};
 }

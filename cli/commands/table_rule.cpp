@@ -71,7 +71,8 @@ void warn_of_wide_contacts(const TableArguments& arguments, const RuleTable& rul
 
 std::pair<double, double> parse_ratios(const std::string& ratio) {
   const std::vector<std::string> ends = split(ratio, ':');
-  if (ends.size() != 2) throw InvalidInput(fmt::format("ratio: got '{}', allowed SMALLEST:GREATEST, as in 1:3", ratio));
+  if (ends.size() != 2)
+    throw InvalidInput::out_of_range("ratio", fmt::format("'{}'", ratio), "SMALLEST:GREATEST, as in 1:3");
   return {parse_number("ratio", ends[0]), parse_number("ratio", ends[1])};
 }
 
@@ -88,8 +89,8 @@ std::string text_of_rule(const TableArguments& arguments, const TableJob& job) {
 
 void write_netcdf_of_rule(const TableArguments& arguments, const TableJob& job) {
   if (!arguments.oblique)
-    throw InvalidInput("format: got netcdf, allowed only with --oblique (the whole collision rule)");
-  if (arguments.output.path.empty()) throw InvalidInput("output: missing, a file, which netcdf needs");
+    throw InvalidInput::out_of_range("format", "netcdf", "only with --oblique", "the whole collision rule");
+  if (arguments.output.path.empty()) throw InvalidInput::missing("output", "a file, which netcdf needs");
   std::vector<std::string> words{"table",
                                  fmt::format("--error={}", arguments.error),
                                  fmt::format("--tolerance={}", arguments.tolerance),

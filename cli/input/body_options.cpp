@@ -110,8 +110,8 @@ void BodyOptions::require_own(const Kind& its) const {
     if (!is_given || has(its)) return;
     std::vector<std::string> owners = kinds_;
     std::erase_if(owners, [&](const std::string& name) { return !has(kind(name)); });
-    throw InvalidInput(fmt::format("{0}: got --{0} with --body {1}, allowed only with --body {2}", option, its.name,
-                                   fmt::join(owners, " or ")));
+    throw InvalidInput::out_of_range(fmt::format("{}", option), fmt::format("--{} with --body {}", option, its.name),
+                                     fmt::format("only with --body {}", fmt::join(owners, " or ")));
   };
   for (const auto& [name, value] : numbers_) {
     const std::string& of = name;
@@ -133,7 +133,8 @@ Participant BodyOptions::body() const {
   const Kind& its = kind(names_file(kind_) ? "modal" : kind_);
   require_own(its);
   if (its.from_file) {
-    if (!material_.empty()) throw InvalidInput("material: the body file has one already (leave out --material)");
+    if (!material_.empty())
+      throw InvalidInput::conflict("material", "the body file has one already", "leave out --material");
     return modal_from_file("body", kind_);
   }
   Participant body{.kind = kind_, .material_name = material_, .rigid = rigid_};
@@ -145,7 +146,8 @@ Participant BodyOptions::body() const {
     throw CLI::RequiredError("--poisson");
   }
   if (rigid_ && yield_) {
-    throw InvalidInput("yield: got --yield with --rigid-body, allowed only without (the second may have yield=)");
+    throw InvalidInput::out_of_range("yield", "--yield with --rigid-body", "only without",
+                                     "the second may have yield=");
   }
   if (in_si()) set_material(body, yield_, 0.0, "material");
   return body;
@@ -157,15 +159,14 @@ void set_material(Participant& of, std::optional<double> yield, double poisson, 
   } else {
     const bool young = of.values.contains("young"), density = of.values.contains("density");
     if (yield && !young && !density) {
-      throw InvalidInput(fmt::format(
-          "{}: got yield without a material, allowed only with young, density and radius, or with a named material",
-          option == "material" ? "yield" : option));
+      throw InvalidInput::out_of_range(fmt::format("{}", option == "material" ? "yield" : option),
+                                       "yield without a material",
+                                       "only with young, density and radius, or with a named material");
     }
     if (!young || !density) {
-      throw InvalidInput(
-          fmt::format("{}: got {} without {}, allowed young, density and sizes together, in SI, or a "
-                      "named material (which sizes and plane need)",
-                      option, of.kind, young ? "density" : "young"));
+      throw InvalidInput::out_of_range(
+          fmt::format("{}", option), fmt::format("{} without {}", of.kind, young ? "density" : "young"),
+          "young, density and sizes together, in SI, or a named material", "which sizes and plane need");
     }
     of.material = Material{of.values.at("young"), poisson, of.values.at("density")};
     if (const auto own = of.values.find("poisson"); own != of.values.end()) of.material->poisson = own->second;

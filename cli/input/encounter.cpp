@@ -60,7 +60,7 @@ Participant parse_numbers(const Kind& its, const std::vector<std::string>& parts
       yield = number;
     } else if (key == "rigid") {
       if (number != 0.0 && number != 1.0) {
-        throw InvalidInput("against rigid: got " + shortened(value) + ", allowed 0 or 1 (1 of a rigid body)");
+        throw InvalidInput::out_of_range("against rigid", shortened(value), "0 or 1", "1 of a rigid body");
       }
       against.rigid = number == 1.0;
     } else {
@@ -206,11 +206,12 @@ Encounter EncounterOptions::encounter() const {
 
 void refuse_tail(const CLI::App& command, const Encounter& encounter) {
   if (!is_soft(encounter) || !given(command, "--tail")) return;
-  throw InvalidInput("tail: got a tail with --against exponential, allowed only without (the soft wall leaves it out)");
+  throw InvalidInput::out_of_range("tail", "a tail with --against exponential", "only without",
+                                   "the soft wall leaves it out");
 }
 
 void refuse_soft(const Encounter& encounter, const std::string& hint) {
-  if (is_soft(encounter)) throw InvalidInput("against: got exponential, allowed wall, same or a body" + hint);
+  if (is_soft(encounter)) throw InvalidInput::out_of_range("against", "exponential", "wall, same or a body" + hint);
 }
 
 std::optional<double> poisson_of(const Encounter& encounter) { return poisson_of(first_solid(encounter)); }

@@ -23,9 +23,9 @@ void require_file(const std::string& option, const std::string& path) {
   const bool open_already =
       path == "/dev/stdin" || path.rfind("/dev/fd/", 0) == 0 || path.rfind("/proc/self/fd/", 0) == 0;
   if (open_already || !is_other(its)) return;
-  throw InvalidInput(
-      fmt::format("{}: got '@{}', which is no regular file, allowed a file of modes at a point (or @/dev/stdin)",
-                  option, shortened(path)));
+  throw InvalidInput::out_of_range(fmt::format("{}", option),
+                                   fmt::format("'@{}', which is no regular file", shortened(path)),
+                                   "a file of modes at a point", "or @/dev/stdin");
 }
 
 }  // namespace
@@ -47,14 +47,12 @@ Participant modal_from_file(const std::string& option, const std::string& text) 
     throw OutputError(fmt::format("{}: cannot read '{}' ({})", option, shortened(path), std::strerror(reason)), reason);
   }
   if (all.size() > most) {
-    throw InvalidInput(
-        fmt::format("{}: got '@{}' of more than 64 MiB, allowed a file of modes at a point", option, path));
+    throw InvalidInput::out_of_range(fmt::format("{}", option), fmt::format("'@{}' of more than 64 MiB", path),
+                                     "a file of modes at a point");
   }
   if (all.rfind("PK", 0) == 0) {  // a ZIP archive, which an NPZ file is
-    throw InvalidInput(
-        fmt::format("{0}: got '@{1}', an NPZ file, allowed JSON (in Python: "
-                    "stoss.ModalBody.read('{1}').save('body.json'))",
-                    option, path));
+    throw InvalidInput::out_of_range(fmt::format("{}", option), fmt::format("'@{}', an NPZ file", path), "JSON",
+                                     fmt::format("in Python: stoss.ModalBody.read('{}').save('body.json')", path));
   }
   return modal_participant(modal_body_from_json(all, option + " " + path));
 }

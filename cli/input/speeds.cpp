@@ -29,9 +29,10 @@ std::vector<double> parse_series_in(const std::string& name, const std::string& 
   const double least = allowed.least * unit, greatest = allowed.greatest * unit;
   for (double& value : values) {
     if (!(value >= least && value <= greatest)) {
-      throw InvalidInput(fmt::format("{}: got {}, allowed {} to {} {} ({})", name, value, shown_end(least, 1.0),
-                                     shown_end(greatest, -1.0),
-                                     unit_name(dimension, units.si ? units.in_si : units.own), allowed.hint));
+      throw InvalidInput::out_of_range(fmt::format("{}", name), fmt::format("{}", value),
+                                       fmt::format("{} to {} {}", shown_end(least, 1.0), shown_end(greatest, -1.0),
+                                                   unit_name(dimension, units.si ? units.in_si : units.own)),
+                                       fmt::format("{}", allowed.hint));
     }
     // The division may round beyond an end.
     value = std::clamp(value / unit, allowed.least, allowed.greatest);
@@ -46,8 +47,8 @@ std::vector<double> parse_speeds(const std::string& text, const Units& units) {
 double parse_speed(const std::string& text, const Units& units, const std::string& note) {
   const std::vector<double> speeds = parse_speeds(text, units);
   if (speeds.size() != 1) {
-    throw InvalidInput(fmt::format("speed: got {} speeds, allowed one{}", speeds.size(),
-                                   note.empty() ? "" : fmt::format(" ({})", note)));
+    throw InvalidInput::out_of_range("speed", fmt::format("{} speeds", speeds.size()),
+                                     fmt::format("one{}", note.empty() ? "" : fmt::format(" ({})", note)));
   }
   return speeds.front();
 }

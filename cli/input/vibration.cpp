@@ -20,8 +20,8 @@ const std::vector<std::string> bodies{"first", "second"};
 Oscillation parse_mode(const std::string& option, const std::vector<std::string>& keys, const std::string& text) {
   const std::vector<std::string> parts = split(text, ',');
   const std::string allowed =
-      fmt::format("allowed ORDER,INDEX,energy=SHARE, also with {}", fmt::join(keys.begin() + 1, keys.end(), ", "));
-  if (parts.size() < 3) throw InvalidInput(fmt::format("{}: got '{}', {}", option, shortened(text), allowed));
+      fmt::format("ORDER,INDEX,energy=SHARE, also with {}", fmt::join(keys.begin() + 1, keys.end(), ", "));
+  if (parts.size() < 3) throw InvalidInput::out_of_range(option, fmt::format("'{}'", shortened(text)), allowed);
   Oscillation mode{.order = parse_integer(option, parts[0]), .index = parse_integer(option, parts[1])};
   std::optional<double> energy;
   for (const auto& [key, value] : parse_keys(option, parts, 2, keys)) {
@@ -32,7 +32,9 @@ Oscillation parse_mode(const std::string& option, const std::vector<std::string>
     if (body != bodies[0] && body != bodies[1]) refuse_word(option + " of", body, bodies);
     mode.body = body == bodies[0] ? 0 : 1;
   }
-  if (!energy) throw InvalidInput(fmt::format("{}: got '{}' without energy, {}", option, shortened(text), allowed));
+  if (!energy) {
+    throw InvalidInput::out_of_range(option, fmt::format("'{}' without energy", shortened(text)), allowed);
+  }
   mode.energy = *energy;
   return mode;
 }
@@ -95,11 +97,12 @@ void SpectrumArguments::add_to(CLI::App& command) {
 
 Spectrum SpectrumArguments::spectrum(const RefinableContact& contact, const Poll& poll) {
   if (temperature.has_value() != modes.empty()) {
-    throw InvalidInput(fmt::format("temperature: got {} --temperature and --spectrum, allowed one of the two",
-                                   temperature ? "both" : "neither"));
+    throw InvalidInput::out_of_range("temperature",
+                                     fmt::format("{} --temperature and --spectrum", temperature ? "both" : "neither"),
+                                     "one of the two");
   }
   if (highest && !temperature) {
-    throw InvalidInput("highest: got --highest with --spectrum, allowed only with --temperature");
+    throw InvalidInput::out_of_range("highest", "--highest with --spectrum", "only with --temperature");
   }
   if (temperature) {
     if (!highest) highest = usual_highest(contact, poll);

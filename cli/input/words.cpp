@@ -14,8 +14,9 @@ void refuse_word(const std::string& option, const std::string& got, const std::v
                  const std::string& where) {
   const std::string similar = nearest(got, allowed);
   const std::string names = allowed.empty() ? "none" : fmt::format("{}", fmt::join(allowed, ", "));
-  throw InvalidInput(fmt::format("{}: got '{}', allowed {}{}{}", option, shortened(got), names, where,
-                                 similar.empty() ? "" : fmt::format(", did you mean {}?", similar)));
+  throw InvalidInput::out_of_range(
+      fmt::format("{}", option), fmt::format("'{}'", shortened(got)),
+      fmt::format("{}{}{}", names, where, similar.empty() ? "" : fmt::format(", did you mean {}?", similar)));
 }
 
 std::vector<std::pair<std::string, std::string>> parse_keys(const std::string& option,
@@ -28,10 +29,11 @@ std::vector<std::pair<std::string, std::string>> parse_keys(const std::string& o
     const std::string key = without_spaces(parts[i].substr(0, equals));
     if (std::find(keys.begin(), keys.end(), key) == keys.end()) refuse_word(option, key, keys, where);
     if (equals == std::string::npos) {
-      throw InvalidInput(fmt::format("{0}: got '{1}' without a value, allowed {1}=NUMBER", option, key));
+      throw InvalidInput::out_of_range(fmt::format("{}", option), fmt::format("'{}' without a value", key),
+                                       fmt::format("{}=NUMBER", key));
     }
     if (std::any_of(found.begin(), found.end(), [&](const auto& each) { return each.first == key; })) {
-      throw InvalidInput(fmt::format("{}: got {} twice, allowed once", option, key));
+      throw InvalidInput::out_of_range(fmt::format("{}", option), fmt::format("{} twice", key), "once");
     }
     found.emplace_back(key, parts[i].substr(equals + 1));
   }

@@ -32,8 +32,8 @@ struct Lines {
     }
     if (std::feof(stream) != 0) return std::nullopt;
     if (rest.ends_with('\r')) {
-      throw InvalidInput(fmt::format(
-          "resume: got line ends CRLF in '{}', allowed LF, as stoss writes them (dos2unix converts a file)", path));
+      throw InvalidInput::out_of_range("resume", fmt::format("line ends CRLF in '{}'", path),
+                                       "LF, as stoss writes them", "dos2unix converts a file");
     }
     size += rest.size() + 1;
     ++count;
@@ -47,14 +47,14 @@ constexpr std::size_t longest_excerpt = 40;
 std::string excerpt(const std::string& line) { return visible(shortened(line, longest_excerpt)); }
 
 [[noreturn]] void refuse_file(const Lines& lines, const std::string& got) {
-  throw InvalidInput(fmt::format("resume: got '{}' in '{}', allowed a CSV file of this job (it is left alone)",
-                                 excerpt(got), lines.path));
+  throw InvalidInput::out_of_range("resume", fmt::format("'{}' in '{}'", excerpt(got), lines.path),
+                                   "a CSV file of this job", "it is left alone");
 }
 
 [[noreturn]] void refuse_input(const Lines& lines, const std::string& name, const std::string& now,
                                const std::string& before) {
-  throw InvalidInput(fmt::format("{}: got {}, allowed {} as in '{}' (another job needs another file)", name,
-                                 shortened(now), before, lines.path));
+  throw InvalidInput::out_of_range(fmt::format("{}", name), fmt::format("{}", shortened(now)),
+                                   fmt::format("{} as in '{}'", before, lines.path), "another job needs another file");
 }
 
 void check_origin(const Lines& lines, const std::string& got, const Provenance& provenance) {
@@ -128,15 +128,14 @@ Earlier read_earlier(const Output& output, const Provenance& provenance, const C
     const std::string cells = made.checked ? line->substr(0, line->rfind(',')) : *line;
     const auto row = row_of_csv(cells, columns.size());
     if (!row) {
-      throw InvalidInput(fmt::format(
-          "resume: got '{}' as line {} of '{}', allowed a row of {} numbers (mend it, or write another file)",
-          excerpt(*line), number, lines.path, columns.size()));
+      throw InvalidInput::out_of_range(
+          "resume", fmt::format("'{}' as line {} of '{}'", excerpt(*line), number, lines.path),
+          fmt::format("a row of {} numbers", columns.size()), "mend it, or write another file");
     }
     if (made.checked && with_checksum(cells) != *line) {
-      throw InvalidInput(fmt::format(
-          "resume: got line {} of '{}' with the checksum of another row, allowed a row as it was written (mend it, or "
-          "write another file)",
-          number, lines.path));
+      throw InvalidInput::out_of_range(
+          "resume", fmt::format("line {} of '{}' with the checksum of another row", number, lines.path),
+          "a row as it was written", "mend it, or write another file");
     }
     visit(*row);
     made.size = lines.size;

@@ -55,13 +55,14 @@ void RowOptions::add_to(CLI::App& to) {
 
 void RowOptions::redirect() {
   if (!given(*command, "--resume")) return;
-  if (resume == "-") throw InvalidInput("resume: got '-', allowed the name of a file");
+  if (resume == "-") throw InvalidInput::out_of_range("resume", "'-'", "the name of a file");
   if (given(*command, "--format") && output.format != "csv") {
-    throw InvalidInput(fmt::format("resume: got --format {}, allowed csv (which --resume implies)", output.format));
+    throw InvalidInput::out_of_range("resume", fmt::format("--format {}", output.format), "csv",
+                                     "which --resume implies");
   }
   if (given(*command, "--output") && !same_output(output.path, resume)) {
-    throw InvalidInput(
-        fmt::format("resume: got another file as --output, allowed '{}' (all rows go there)", shortened(resume)));
+    throw InvalidInput::out_of_range("resume", "another file as --output", fmt::format("'{}'", shortened(resume)),
+                                     "all rows go there");
   }
   output.format = "csv";
   output.path = resume;

@@ -56,17 +56,18 @@ void RowRun::count(const Row& row) {
 /// Takes note of a row of an earlier run. @throws InvalidInput unless it is the next one
 void RowRun::take(const Row& row) {
   if (done_ == plan_.size) {
-    throw InvalidInput(
-        fmt::format("resume: got a row {} in the file, allowed {} (mend it, or write another file)", done_ + 1, done_));
+    throw InvalidInput::out_of_range("resume", fmt::format("a row {} in the file", done_ + 1), fmt::format("{}", done_),
+                                     "mend it, or write another file");
   }
   const Row key = plan_.key(done_);
   const auto same = [](const Value& a, const Value& b) { return number(a) == number(b); };
   if (!std::equal(key.begin(), key.end(), row.begin(), same)) {
     const auto width = static_cast<std::ptrdiff_t>(key.size());
     const Columns columns(plan_.columns.begin(), plan_.columns.begin() + width);
-    throw InvalidInput(
-        fmt::format("resume: got {} {} in row {} of the file, allowed {} (mend it, or write another file)",
-                    csv_columns(columns), csv_row({row.begin(), row.begin() + width}), done_ + 1, csv_row(key)));
+    throw InvalidInput::out_of_range("resume",
+                                     fmt::format("{} {} in row {} of the file", csv_columns(columns),
+                                                 csv_row({row.begin(), row.begin() + width}), done_ + 1),
+                                     fmt::format("{}", csv_row(key)), "mend it, or write another file");
   }
   count(row);
 }

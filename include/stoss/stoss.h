@@ -34,6 +34,23 @@ extern "C" {
 /** Why the last function failed in this thread: one line, valid until the next one fails; "" before. */
 const char* stoss_message(void);
 
+/** Templates of a refused argument. */
+#define STOSS_OUT_OF_RANGE 1 /**< name: got ..., allowed ... (hint) */
+#define STOSS_MISSING 2      /**< name: missing, what is needed (hint) */
+#define STOSS_CONFLICT 3     /**< name: why it does not go with the rest (hint) */
+
+/** The parts of the message of a function that returned STOSS_INVALID_INPUT; those that it does not have are "". */
+typedef struct stoss_refusal {
+  int kind; /**< STOSS_OUT_OF_RANGE, STOSS_MISSING or STOSS_CONFLICT; 0 after another status */
+  const char* name;
+  const char* got;
+  const char* allowed; /**< also what is missing, or what does not go together */
+  const char* hint;
+} stoss_refusal;
+
+/** The parts of stoss_message() in this thread, valid as long as it. */
+stoss_refusal stoss_last_refusal(void);
+
 /** Version of the library, as in "2.0.0": that of what is linked, at run time. */
 const char* stoss_version(void);
 

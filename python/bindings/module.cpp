@@ -31,9 +31,11 @@ Poll signal_poll() {
 
 namespace {
 
-void raise(const char* name, const char* what) {
+/// @param arguments of the exception of that name in stoss._errors
+template <typename... Arguments>
+void raise(const char* name, const Arguments&... arguments) {
   const py::object type = py::module_::import("stoss._errors").attr(name);
-  PyErr_SetString(type.ptr(), what);
+  PyErr_SetObject(type.ptr(), type(arguments...).ptr());
 }
 
 /// The core's exceptions become those of stoss._errors.
@@ -41,7 +43,9 @@ void translate(std::exception_ptr error) {
   try {
     if (error) std::rethrow_exception(error);
   } catch (const InvalidInput& refusal) {
-    raise("InvalidInput", refusal.what());
+    constexpr std::array kinds{"out_of_range", "missing", "conflict"};
+    raise("InvalidInput", kinds[static_cast<std::size_t>(refusal.kind())], refusal.name(), refusal.got(),
+          refusal.allowed(), refusal.hint());
   } catch (const NotConverged& failure) {
     raise("NotConverged", failure.what());
   }

@@ -90,7 +90,7 @@ void collide_all(const RuleTable& rule, const MovingPair& pair, std::array<Doubl
       if (!collide(rule, first, second, n, friction.data()[i])) continue;
     } catch (const InvalidInput& error) {
       if (friction.size() == 1) throw;
-      throw InvalidInput(std::string(error.what()) + " (collision " + std::to_string(i) + ", counted from 0)");
+      throw error.within("collision " + std::to_string(i));
     }
     std::copy(first.velocity.begin(), first.velocity.end(), v);
     std::copy(second.velocity.begin(), second.velocity.end(), w);

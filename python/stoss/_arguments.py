@@ -21,7 +21,7 @@ def refusal(name: str, value: object, allowed: str) -> InvalidInput:
     except Exception:  # integers of thousands of digits, and foreign objects
         got = f"an object of type {type(value).__name__}"
     got = " ".join(got.split())
-    return InvalidInput(f"{name}: got {got if len(got) <= 80 else got[:77] + '...'}, allowed {allowed}")
+    return InvalidInput.out_of_range(name, got if len(got) <= 80 else got[:77] + "...", allowed)
 
 
 def open_file(name: str, path: str | os.PathLike[str]) -> BinaryIO:
@@ -30,7 +30,9 @@ def open_file(name: str, path: str | os.PathLike[str]) -> BinaryIO:
     is_open = isinstance(text, str) and text.startswith(("/dev/stdin", "/dev/fd/", "/proc/self/fd/"))
     mode = os.stat(text).st_mode
     if not (is_open or stat.S_ISREG(mode) or stat.S_ISDIR(mode)):  # of a folder opening says it
-        raise InvalidInput(f"{name}: got '{text}', which is no regular file, allowed a file (or /dev/stdin)")
+        raise InvalidInput.out_of_range(
+            name, f"'{text}', which is no regular file", "a file", "or /dev/stdin"
+        )
     return open(text, "rb")
 
 
@@ -116,7 +118,9 @@ LARGEST = 2e9
 def require_memory(name: str, got: str, size: float, hint: str) -> None:
     """Refuse, before anything is allocated, a result of more than `LARGEST` bytes."""
     if size > LARGEST:
-        raise InvalidInput(f"{name}: got {got}, {size / 1e9:.3g} GB, allowed {LARGEST / 1e9:g} GB ({hint})")
+        raise InvalidInput.out_of_range(
+            name, f"{got}, {size / 1e9:.3g} GB", f"{LARGEST / 1e9:g} GB", hint
+        )
 
 
 def broadcast(values: int = 1, /, **arrays: NDArray[np.float64]) -> list[NDArray[np.float64]]:
@@ -126,7 +130,7 @@ def broadcast(values: int = 1, /, **arrays: NDArray[np.float64]) -> list[NDArray
     except ValueError:
         shapes = " and ".join(str(each.shape) for each in arrays.values())
         hint = "shapes that broadcast together"
-        raise InvalidInput(f"{', '.join(arrays)}: got shapes {shapes}, allowed {hint}") from None
+        raise InvalidInput.out_of_range(", ".join(arrays), f"shapes {shapes}", hint) from None
     got = f"shape {views[0].shape}, {values} values each"
     size = 8.0 * views[0].size * (values + len(views))
     require_memory(", ".join(arrays), got, size, "compute them in parts")

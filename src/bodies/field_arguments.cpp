@@ -15,8 +15,7 @@ void require_finite(std::string_view name, std::span<const double> numbers, std:
 
 void require_length(const std::string& name, std::size_t length, std::size_t wanted, const std::string& hint) {
   if (length == wanted) return;
-  throw InvalidInput(name + ": got " + std::to_string(length) + " values, allowed " + std::to_string(wanted) + " (" +
-                     hint + ")");
+  throw InvalidInput::out_of_range(name, std::to_string(length) + " values", std::to_string(wanted), hint);
 }
 
 void require_points(const bodies::PolarGrid& points, const std::string& kind) {

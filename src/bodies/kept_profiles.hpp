@@ -6,11 +6,11 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <sstream>
 #include <utility>
 #include <vector>
 
 #include "bodies/radial_powers.hpp"
+#include "check.hpp"
 #include "stoss/bodies/round.hpp"
 #include "stoss/body/body.hpp"
 #include "stoss/errors.hpp"
@@ -128,11 +128,8 @@ class KeptProfiles {
     const double mismatch = std::hypot(edge.radial - mode.radial, root * (edge.tangential - mode.tangential));
     const double traction = std::hypot(edge.stress_rr, root * Shape::shear(edge));
     if (mismatch < 1e-6 * amplitude && traction < 1e-6 * amplitude * (mode.order + mode.omega)) return;
-    std::ostringstream line;
-    line.precision(10);
-    line << "poisson: got " << poisson_ << ", allowed only that of the body, which is '" << body.name << "' ("
-         << Shape::refusal << ")";
-    throw InvalidInput(line.str());
+    throw InvalidInput::out_of_range("poisson", shown(poisson_), "only that of the body, which is '" + body.name + "'",
+                                     Shape::refusal);
   }
 
   std::vector<int> orders_;

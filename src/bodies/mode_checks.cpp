@@ -24,11 +24,11 @@ void check_sum_rule(int order, const Flexibility& all, const Flexibility& kept, 
 void refuse_low_cutoff(const std::vector<Mode>& some, double cutoff, double highest) {
   const auto first =
       std::min_element(some.begin(), some.end(), [](const Mode& a, const Mode& b) { return a.omega < b.omega; });
-  std::ostringstream line;
-  line.precision(6);
-  line << "cutoff: got " << cutoff << ", allowed " << first->omega << " to " << highest
-       << " (below the lowest mode nothing vibrates; 25 to 100 is usual)";
-  throw InvalidInput(line.str());
+  std::ostringstream allowed;
+  allowed.precision(6);
+  allowed << first->omega << " to " << highest;
+  throw InvalidInput::out_of_range("cutoff", shown(cutoff), allowed.str(),
+                                   "below the lowest mode nothing vibrates; 25 to 100 is usual");
 }
 
 }  // namespace stoss::bodies

@@ -13,7 +13,7 @@ namespace stoss {
 namespace {
 
 void require(const Body& body, bool condition, const std::string& rule) {
-  if (!condition) throw InvalidInput("body: got '" + body.name + "', allowed only a body with " + rule);
+  if (!condition) throw InvalidInput::out_of_range("body", "'" + body.name + "'", "only a body with " + rule);
 }
 
 bool positive(double x) { return std::isfinite(x) && x > 0.0; }
@@ -83,8 +83,8 @@ bool is_whole(const Body& body) { return body.part.size >= 1.0 && !is_unbounded(
 
 Body rigid(const Body& body) {
   if (is_unbounded(body)) {
-    throw InvalidInput("rigid: got '" + body.name +
-                       "', allowed a body with a size and a mass (what is rigid without end is a hard wall)");
+    throw InvalidInput::out_of_range("rigid", "'" + body.name + "'", "a body with a size and a mass",
+                                     "what is rigid without end is a hard wall");
   }
   Body result = body;
   result.name = "rigid " + body.name;
@@ -139,9 +139,10 @@ Body with_modes(const Body& body, const std::vector<bool>& keep) {
   const std::size_t all = mode_count(body);
   const auto kept = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), true));
   if (keep.size() != all || kept == 0) {
-    throw InvalidInput("keep: got " + std::to_string(kept) + " of " + std::to_string(keep.size()) +
-                       " modes, allowed 1 to " + std::to_string(all) + " of the " + std::to_string(all) + " of '" +
-                       body.name + "' (one flag for each mode up to the cutoff)");
+    throw InvalidInput::out_of_range(
+        "keep", std::to_string(kept) + " of " + std::to_string(keep.size()) + " modes",
+        "1 to " + std::to_string(all) + " of the " + std::to_string(all) + " of '" + body.name + "'",
+        "one flag for each mode up to the cutoff");
   }
   if (kept == all) return body;
 
@@ -161,8 +162,8 @@ Body with_modes(const Body& body, const std::vector<bool>& keep) {
   }
   result.name += ", " + std::to_string(kept) + " of " + std::to_string(all) + " modes";
   const auto refuse = [name = result.name](const ContactPoints&, const Poll&) -> std::vector<double> {
-    throw InvalidInput("body: got '" + name +
-                       "' at a hard wall, allowed only one with all modes up to its cutoff (use an exponential wall)");
+    throw InvalidInput::out_of_range("body", "'" + name + "' at a hard wall",
+                                     "only one with all modes up to its cutoff", "use an exponential wall");
   };
   result.residual_compliance = refuse;
   result.residual_second_moment = refuse;

@@ -78,7 +78,7 @@ int stoss_open(const char* json, stoss_contact** contact) {
     require_given(contact, "contact");
     const stoss::Encounter given = stoss::encounter_from_json(json);
     if (given.against.kind == "exponential") {
-      throw stoss::InvalidInput("against: got exponential, allowed a hard wall or a body");
+      throw stoss::InvalidInput::out_of_range("against", "exponential", "a hard wall or a body");
     }
     const stoss_body first{stoss::first_solid(given), given.first.rigid, stoss::first_maker(given)};
     stoss_contact made{stoss::refinable(given), first};

@@ -17,8 +17,8 @@ stoss::Beyond beyond_of(int number) {
   if (number == STOSS_BEYOND_ERROR) return stoss::Beyond::error;
   if (number == STOSS_BEYOND_CLAMP) return stoss::Beyond::clamp;
   if (number == STOSS_BEYOND_LAW) return stoss::Beyond::law;
-  throw stoss::InvalidInput("beyond: got " + std::to_string(number) +
-                            ", allowed STOSS_BEYOND_ERROR, STOSS_BEYOND_CLAMP or STOSS_BEYOND_LAW");
+  throw stoss::InvalidInput::out_of_range("beyond", std::to_string(number),
+                                          "STOSS_BEYOND_ERROR, STOSS_BEYOND_CLAMP or STOSS_BEYOND_LAW");
 }
 
 stoss::SlowLaw law_of(const stoss_contact& contact) {
@@ -28,7 +28,7 @@ stoss::SlowLaw law_of(const stoss_contact& contact) {
 
 void require_unexcited(const stoss_contact& contact) {
   if (contact.vibration.empty()) return;
-  throw stoss::InvalidInput("vibration: a function of the speed is of bodies that do not vibrate before");
+  throw stoss::InvalidInput::conflict("vibration", "a function of the speed is of bodies that do not vibrate before");
 }
 
 }  // namespace

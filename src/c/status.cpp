@@ -14,14 +14,37 @@ namespace {
 /// The poll of the caller asked for the end.
 struct Interrupted {};
 
-// An array, which is there without memory to be had. Longer messages end early.
-thread_local std::array<char, 1024> message{};
+/// The message and its parts, in arrays, which are there without memory to be had. Longer texts end early.
+struct Failure {
+  using Text = std::array<char, 1024>;
+  Text message{};
+  int kind = 0;
+  Text name{}, got{}, allowed{}, hint{};
+};
+
+thread_local Failure last;
+
+void copy(std::string_view text, Failure::Text& to) noexcept {
+  const std::size_t length = std::min(text.size(), to.size() - 1);
+  std::copy_n(text.begin(), length, to.begin());
+  to[length] = '\0';
+}
 
 int keep(int status, std::string_view text) noexcept {
-  const std::size_t length = std::min(text.size(), message.size() - 1);
-  std::copy_n(text.begin(), length, message.begin());
-  message[length] = '\0';
+  last = {};
+  copy(text, last.message);
   return status;
+}
+
+int keep(const InvalidInput& refusal) noexcept {
+  keep(STOSS_INVALID_INPUT, refusal.what());
+  constexpr std::array kinds{STOSS_OUT_OF_RANGE, STOSS_MISSING, STOSS_CONFLICT};
+  last.kind = kinds[static_cast<std::size_t>(refusal.kind())];
+  copy(refusal.name(), last.name);
+  copy(refusal.got(), last.got);
+  copy(refusal.allowed(), last.allowed);
+  copy(refusal.hint(), last.hint);
+  return STOSS_INVALID_INPUT;
 }
 
 }  // namespace
@@ -32,7 +55,7 @@ int status_of_exception() noexcept {
   } catch (const Interrupted&) {
     return keep(STOSS_INTERRUPTED, "interrupted by the poll of the caller");
   } catch (const InvalidInput& error) {
-    return keep(STOSS_INVALID_INPUT, error.what());
+    return keep(error);
   } catch (const NotConverged& error) {
     return keep(STOSS_NOT_CONVERGED, error.what());
   } catch (const std::bad_alloc&) {
@@ -47,7 +70,7 @@ int status_of_exception() noexcept {
 }
 
 void require_given(const void* pointer, std::string_view name) {
-  if (pointer == nullptr) throw InvalidInput(std::string(name) + ": got NULL, allowed a pointer to it");
+  if (pointer == nullptr) throw InvalidInput::out_of_range(std::string(name), "NULL", "a pointer to it");
 }
 
 Poll poll_of(const stoss_control* control) {
@@ -61,4 +84,12 @@ int threads_of(const stoss_control* control) { return control == nullptr ? 0 : c
 
 }  // namespace stoss::c
 
-extern "C" const char* stoss_message() { return stoss::c::message.data(); }
+extern "C" {
+
+const char* stoss_message() { return stoss::c::last.message.data(); }
+
+stoss_refusal stoss_last_refusal() {
+  const auto& last = stoss::c::last;
+  return {last.kind, last.name.data(), last.got.data(), last.allowed.data(), last.hint.data()};
+}
+}

@@ -13,16 +13,17 @@ namespace {
 
 std::vector<Body> bodies_along(const Body& body, const Poll& poll) {
   if (body.along) return body.along(poll);
-  throw InvalidInput("friction: not available for '" + short_name(body) +
-                     "', but for disks, spheres, half-spaces, plates, and modal bodies with a tangent (leave friction "
-                     "out, or take 0)");
+  throw InvalidInput::conflict("friction",
+                               "not available for '" + short_name(body) +
+                                   "', but for disks, spheres, half-spaces, plates, and modal bodies with a tangent",
+                               "leave friction out, or take 0");
 }
 
 double own_mass_along(const Body& body) { return body.mass_along > 0.0 ? body.mass_along : whole_mass(body); }
 
 void require_law_along(const Contact& contact) {
   if (std::holds_alternative<HardWall>(contact.wall)) return;
-  throw InvalidInput("friction: got an exponential wall, allowed only a rigid one (it has no law along it)");
+  throw InvalidInput::out_of_range("friction", "an exponential wall", "only a rigid one", "it has no law along it");
 }
 
 /// (c_s/c_p)² of a body that mixes directions, from the impedances of its foremost point.
@@ -70,7 +71,7 @@ Contact contact_outward(const Contact& contact, const Poll& poll) {
   require_law_along(contact);
   const auto outward = [&poll](const Body& body) {
     if (body.outward) return body.outward(poll);
-    throw InvalidInput("friction: got '" + body.name + "', allowed only balls: spheres and half-spaces");
+    throw InvalidInput::out_of_range("friction", "'" + body.name + "'", "only balls: spheres and half-spaces");
   };
   if (contact.second == nullptr) return stoss::contact(outward(*contact.first));
   return stoss::contact(outward(*contact.first), outward(*contact.second));

@@ -58,16 +58,16 @@ Contact contact(std::shared_ptr<const Body> body, const Wall& wall) {
   validate(*body);
   validate(wall);
   if (is_unbounded(*body)) {
-    throw InvalidInput("body: '" + short_name(*body) +
-                       "' cannot meet a wall, because it does not move (let another body meet it)");
+    throw InvalidInput::conflict("body", "'" + short_name(*body) + "' cannot meet a wall, because it does not move",
+                                 "let another body meet it");
   }
   if (body->softness == 0.0) {
-    throw InvalidInput("against: a rigid body ('" + short_name(*body) +
-                       "') cannot meet a rigid wall; one of the two must be elastic");
+    throw InvalidInput::conflict("against", "a rigid body ('" + short_name(*body) +
+                                                "') cannot meet a rigid wall; one of the two must be elastic");
   }
   if (body->contour == Contour::ball && body->curvature == 0.0) {
-    throw InvalidInput("curvature: the surface of '" + body->name +
-                       "' is flat, as the wall is, and at least one must be curved");
+    throw InvalidInput::conflict(
+        "curvature", "the surface of '" + body->name + "' is flat, as the wall is, and at least one must be curved");
   }
   Contact contact;
   contact.wall = wall;

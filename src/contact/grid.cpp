@@ -43,8 +43,8 @@ void require_surface(const Body& body, const Surface& surface, std::size_t point
       surface.shape.size() % points == 0 && surface.shape.size() / points >= shape_rows(body)) {
     return;
   }
-  throw InvalidInput("body: got a surface of '" + body.name +
-                     "' whose arrays do not fit, allowed: one value per point, and per point and shape");
+  throw InvalidInput::out_of_range("body", "a surface of '" + body.name + "' whose arrays do not fit",
+                                   "one value per point, and per point and shape");
 }
 
 Surface surface_of(const Body& body, const ContactPoints& points) {

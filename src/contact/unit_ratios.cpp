@@ -18,8 +18,7 @@ void require_below(const std::string& name, double ratio, double most, std::stri
                    const std::string& hint) {
   constexpr double least = 1e-3 * (1.0 - unequal);
   if (ratio >= least && ratio <= most * (1.0 + unequal)) return;
-  throw InvalidInput(name + " ratio: got " + rounded(ratio) + ", allowed 0.001 to " + std::string(shown_most) + " (" +
-                     hint + ")");
+  throw InvalidInput::out_of_range(name + " ratio", rounded(ratio), "0.001 to " + std::string(shown_most), hint);
 }
 
 void require_ratio(const std::string& name, double ratio, std::string_view hint = {}) {
@@ -52,9 +51,9 @@ void require_young(const Body& first, const Body& second, double softness) {
 
 void require_contours(const Body& first, const Body& second) {
   if (first.contour == second.contour) return;
-  throw InvalidInput("against: got '" + short_name(second) + "' for '" + short_name(first) +
-                     "', allowed a body of the same kind of end (a disk meets disks and half-planes, a sphere spheres "
-                     "and half-spaces, a rod rods)");
+  throw InvalidInput::out_of_range("against", "'" + short_name(second) + "' for '" + short_name(first) + "'",
+                                   "a body of the same kind of end",
+                                   "a disk meets disks and half-planes, a sphere spheres and half-spaces, a rod rods");
 }
 
 /// Refuses a contact that is far from a circle. @param other curvature of what the body meets, in its units
@@ -62,8 +61,9 @@ void require_round(const Body& body, double other) {
   constexpr double most = 4.0;
   const double mean = body.curvature + other, half = 0.5 * body.curvature_difference;
   if (mean > half && mean + half <= most * (mean - half)) return;
-  throw InvalidInput("curvature: got principal curvatures of '" + body.name +
-                     "' that make a long contact with what it meets, allowed relative ones up to 4 : 1");
+  throw InvalidInput::out_of_range(
+      "curvature", "principal curvatures of '" + body.name + "' that make a long contact with what it meets",
+      "relative ones up to 4 : 1");
 }
 
 }  // namespace
@@ -91,15 +91,16 @@ std::size_t shape_rows(const Body& body) {
 void require_ratios(const Body& first, const Body& second) {
   require_contours(first, second);
   if (is_unbounded(first)) {
-    throw InvalidInput("body: '" + short_name(first) +
-                       "' cannot be the first body, because it does not move (let the other body meet it)");
+    throw InvalidInput::conflict("body",
+                                 "'" + short_name(first) + "' cannot be the first body, because it does not move",
+                                 "let the other body meet it");
   }
   if (first.softness == 0.0 && second.softness == 0.0) {
-    throw InvalidInput("rigid: both bodies are rigid, and one of them must deform");
+    throw InvalidInput::conflict("rigid", "both bodies are rigid, and one of them must deform");
   }
   if (first.contour == Contour::ball && first.curvature + second.curvature == 0.0) {
-    throw InvalidInput("curvature: the surfaces of '" + short_name(first) + "' and '" + short_name(second) +
-                       "' are both flat, and at least one must be curved");
+    throw InvalidInput::conflict("curvature", "the surfaces of '" + short_name(first) + "' and '" + short_name(second) +
+                                                  "' are both flat, and at least one must be curved");
   }
   const UnitRatios units(second, first);
   if (first.curvature_difference > 0.0) require_round(first, second.curvature / units.length);
@@ -127,18 +128,19 @@ void require_partners(const Body& first, const Body& second) {
   const UnitRatios units(second, first);
   const double cutoff = second.cutoff / units.time;
   if (std::abs(cutoff - first.cutoff) > unequal * first.cutoff) {
-    throw InvalidInput("cutoff: got " + rounded(first.cutoff) + " for the first body and " + rounded(cutoff) +
-                       " for the second, allowed one frequency for both (in c/R of the first)");
+    throw InvalidInput::out_of_range(
+        "cutoff", rounded(first.cutoff) + " for the first body and " + rounded(cutoff) + " for the second",
+        "one frequency for both", "in c/R of the first");
   }
 }
 
 void refuse_unequal(const Body& first, const Body& second, double share, const std::string& what) {
   const double time = UnitRatios(second, first).time;
   const std::string most = shown(std::floor(share * std::max(time, 1.0 / time)));
-  throw InvalidInput("against: got '" + short_name(second) + "' of " + rounded(time) + " times the R/c of '" +
-                     short_name(first) + "', allowed " + what + "a body whose R/c is at most " + most +
-                     " times that of the other (a larger one has more modes than are computed; an infinite one, a "
-                     "half-space or half-plane, is its limit)");
+  throw InvalidInput::out_of_range(
+      "against", "'" + short_name(second) + "' of " + rounded(time) + " times the R/c of '" + short_name(first) + "'",
+      what + "a body whose R/c is at most " + most + " times that of the other",
+      "a larger one has more modes than are computed; an infinite one, a half-space or half-plane, is its limit");
 }
 
 }  // namespace stoss

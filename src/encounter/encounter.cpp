@@ -63,18 +63,17 @@ auto with_given_loss_time(const Participant& of, const Compute& compute) {
   try {
     return compute();
   } catch (const InvalidInput& error) {
-    constexpr std::string_view refused = "loss_time: got ";
-    const std::string line = error.what();
     const double given = loss_time_of(of);
     if (line.compare(0, refused.size(), refused) != 0 || !(given > 0.0) || std::isinf(given)) throw;
     const double most = 1e5 * given / std::stod(line.substr(refused.size()));
     if (!of.material_name.empty() && !of.values.contains("loss_time")) {
-      throw InvalidInput("material: got " + of.material_name + ", whose loss time is " + rounded(given) +
-                         " s, allowed up to " + shown_most(most) +
-                         " s of bodies so small (1e5 R/c; give a loss_time, or larger bodies)");
+      throw InvalidInput::out_of_range("material", of.material_name + ", whose loss time is " + rounded(given) + " s",
+                                       "up to " + shown_most(most) + " s of bodies so small",
+                                       "1e5 R/c; give a loss_time, or larger bodies");
     }
-    throw InvalidInput("loss_time: got " + shown(given) + ", allowed 0 to " + shown_most(most) +
-                       " (eta of stress = (1 + eta d/dt) elastic stress; 1e5 R/c of the body)");
+    throw InvalidInput::out_of_range(
+        "loss_time", shown(given),
+        "0 to " + shown_most(most) + " (eta of stress = (1 + eta d/dt) elastic stress; 1e5 R/c of the body)");
   }
 }
 
@@ -98,23 +97,23 @@ std::string partners_of(const Kind& first, std::string before = {}) {
 void require_partner(const Encounter& encounter) {
   const Kind& first = kind(encounter.first.kind);
   if (!first.bounded) {
-    throw InvalidInput("body: a " + std::string(first.name) +
-                       " cannot be the first body, because it does not move (give it as what is met)");
+    throw InvalidInput::conflict("body",
+                                 "a " + std::string(first.name) + " cannot be the first body, because it does not move",
+                                 "give it as what is met");
   }
   const Kind& against = kind(encounter.against.kind);
   if (meets(first, against)) return;
-  throw InvalidInput("against: got " + std::string(against.name) + " for a " + std::string(first.name) + ", allowed " +
-                     partners_of(first, "wall, same") + " (" + who_meets_whom() + ")");
+  throw InvalidInput::out_of_range("against", std::string(against.name) + " for a " + std::string(first.name),
+                                   partners_of(first, "wall, same"), who_meets_whom());
 }
 
 void require_rigid(const Participant& of) {
   if (!of.rigid) return;
   if (!kind(of.kind).can_be_rigid) {
-    throw InvalidInput("rigid: got a rigid " + of.kind + ", allowed a disk or a sphere");
+    throw InvalidInput::out_of_range("rigid", "a rigid " + of.kind, "a disk or a sphere");
   }
   if (loss_time_of(of) != 0.0)
-    throw InvalidInput("loss_time: got " + shown(loss_time_of(of)) +
-                       ", allowed 0 of a rigid body, which loses nothing");
+    throw InvalidInput::out_of_range("loss_time", shown(loss_time_of(of)), "0 of a rigid body, which loses nothing");
 }
 
 void require_one_that_deforms(const Encounter& encounter) {
@@ -122,9 +121,9 @@ void require_one_that_deforms(const Encounter& encounter) {
   of_what_is_met([&] { require_rigid(encounter.against); });
   const bool other = kind(encounter.against.kind).wall || encounter.against.rigid;
   if (encounter.first.rigid && other) {
-    throw InvalidInput("rigid: got a rigid " + encounter.first.kind + " against " + encounter.against.kind +
-                       ", allowed only against an elastic " + partners_of(kind(encounter.first.kind)) +
-                       ", which deforms");
+    throw InvalidInput::out_of_range(
+        "rigid", "a rigid " + encounter.first.kind + " against " + encounter.against.kind,
+        "only against an elastic " + partners_of(kind(encounter.first.kind)) + ", which deforms");
   }
 }
 
@@ -137,15 +136,17 @@ void require_units(const Encounter& encounter) {
   const Kind& against = kind(encounter.against.kind);
   const bool material = encounter.against.material.has_value();
   if (!takes_material(against)) {
-    if (material) throw InvalidInput("against: a " + std::string(against.name) + " has no material (leave it out)");
+    if (material)
+      throw InvalidInput::conflict("against", "a " + std::string(against.name) + " has no material", "leave it out");
     return;
   }
   if (encounter.first.material.has_value() == material) return;
-  throw InvalidInput(encounter.first.material
-                         ? "against: needs a material too, because the first body has one (e.g. " +
-                               std::string(against.name) + ",material=glass)"
-                         : "against: has a material, but the first body is dimensionless (give both a material and "
-                           "sizes in SI, or ratios)");
+  if (material) {
+    throw InvalidInput::conflict("against", "has a material, but the first body is dimensionless",
+                                 "give both a material and sizes in SI, or ratios");
+  }
+  throw InvalidInput::conflict("against", "needs a material too, because the first body has one",
+                               "e.g. " + std::string(against.name) + ",material=glass");
 }
 
 }  // namespace
@@ -187,10 +188,10 @@ double own_speed(const Encounter& encounter, double speed) {
   constexpr double slowest = 1e-8, fastest = 1.0;
   const double unit = speed_unit(encounter);
   if (!(speed >= slowest * unit && speed <= fastest * unit)) {
-    throw InvalidInput("speed: got " + shown(speed) + ", allowed " + shown_least(slowest * unit) + " to " +
-                       shown_most(fastest * unit) + " " +
-                       std::string(unit_name(Dimension::speed, unit_system(encounter))) +
-                       " (speed of approach, 1e-8 to 1 c)");
+    throw InvalidInput::out_of_range("speed", shown(speed),
+                                     shown_least(slowest * unit) + " to " + shown_most(fastest * unit) + " " +
+                                         std::string(unit_name(Dimension::speed, unit_system(encounter))),
+                                     "speed of approach, 1e-8 to 1 c");
   }
   return std::clamp(speed / unit, slowest, fastest);  // the division may round beyond an end
 }

@@ -34,8 +34,8 @@ auto visit_ground(const Solid& solid, const Visit& visit) {
         if constexpr (is_block<Kind> || has_layers<Kind>) {
           return visit(its);
         } else {
-          throw InvalidInput(
-              "against: got a body that has an end, allowed a half-space, a half-plane, a plate or a strip");
+          throw InvalidInput::out_of_range("against", "a body that has an end",
+                                           "a half-space, a half-plane, a plate or a strip");
         }
       },
       solid);

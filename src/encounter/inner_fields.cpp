@@ -92,7 +92,7 @@ InnerFields inner_fields(const Encounter& encounter, int number, const Contact& 
       return inside<InSphere>(its->poisson, number, contact, impact, frames, {radius, angle}, poll);
     }
   }
-  throw InvalidInput("body: only disks and spheres have a field inside");
+  throw InvalidInput::conflict("body", "only disks and spheres have a field inside");
 }
 
 std::vector<ModeShare> mode_shares(const Contact& contact, const Impact& impact, const std::vector<double>& times,

@@ -153,7 +153,8 @@ Inside inside(const Solid& solid, const BodyFrame& rest, const PolarGrid& points
 
 Interior mode_shape(const Solid& solid, int order, int index, const PolarGrid& points) {
   if (std::holds_alternative<ModalBody>(solid)) {
-    throw InvalidInput("mode: no shape is known of a modal body, which is known at its contact point alone");
+    throw InvalidInput::conflict("mode",
+                                 "no shape is known of a modal body, which is known at its contact point alone");
   }
   constexpr double lowest = 8.0, highest = 400.0;
   const BodyMaker make = maker(solid);
@@ -163,7 +164,8 @@ Interior mode_shape(const Solid& solid, int order, int index, const PolarGrid& p
     alone.body = std::make_shared<const Body>(make(cutoff, {}));
     number = number_of(*alone.body, order, index);
   }
-  if (!number) throw InvalidInput("mode: above the highest one that a call computes (lower order or index)");
+  if (!number)
+    throw InvalidInput::conflict("mode", "above the highest one that a call computes", "lower order or index");
   // No force, so that nothing but the mode moves.
   alone.points = {.radius = 1.0, .spacing = std::holds_alternative<Rod>(solid) ? 0.0 : 0.1, .count = 1};
   alone.coordinate.assign(mode_count(*alone.body), 0.0);

@@ -18,7 +18,7 @@ namespace stoss::json {
 using Json = nlohmann::ordered_json;
 
 [[noreturn]] inline void refuse(const std::string& where, const Json& got, const std::string& allowed) {
-  throw InvalidInput(where + ": got " + visible(shortened(got.dump())) + ", allowed " + allowed);
+  throw InvalidInput::out_of_range(where, visible(shortened(got.dump())), allowed);
 }
 
 /// A document without a key that is twice in an object, where readers differ in which of both counts, and nested so
@@ -28,12 +28,12 @@ inline Json parsed(const std::string& where, std::string_view text) {
   std::vector<std::unordered_set<std::string>> keys;  // of the objects that are open
   const auto is_read = [&](int depth, Json::parse_event_t event, const Json& part) {
     if (depth > deepest) {
-      throw InvalidInput(where + ": got values nested more than " + std::to_string(deepest) + " deep, allowed fewer");
+      throw InvalidInput::out_of_range(where, "values nested more than " + std::to_string(deepest) + " deep", "fewer");
     }
     if (event == Json::parse_event_t::object_start) keys.emplace_back();
     if (event == Json::parse_event_t::object_end) keys.pop_back();
     if (event == Json::parse_event_t::key && !keys.back().insert(part.get<std::string>()).second) {
-      throw InvalidInput(where + ": got the key " + visible(shortened(part.dump())) + " twice, allowed once");
+      throw InvalidInput::out_of_range(where, "the key " + visible(shortened(part.dump())) + " twice", "once");
     }
     return true;
   };
@@ -41,7 +41,7 @@ inline Json parsed(const std::string& where, std::string_view text) {
     return Json::parse(text, is_read);
   } catch (const Json::exception& error) {
     constexpr std::size_t most = 200;
-    throw InvalidInput(where + ": not a JSON document (" + visible(shortened(error.what(), most)) + ")");
+    throw InvalidInput::conflict(where, "not a JSON document", visible(shortened(error.what(), most)));
   }
 }
 
@@ -78,7 +78,7 @@ inline void require_keys(const std::string& where, const Json& given, const std:
 }
 
 inline double needed(const std::string& where, const Json& given, const std::string& name) {
-  if (!given.contains(name)) throw InvalidInput(where + " " + name + ": missing, a number in SI");
+  if (!given.contains(name)) throw InvalidInput::missing(where + " " + name, "a number in SI");
   return number(where + " " + name, given[name]);
 }
 

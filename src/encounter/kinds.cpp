@@ -138,7 +138,7 @@ const Kind& kind(std::string_view name) {
     if (each.name == name) return each;
     names += (names.empty() ? "" : ", ") + std::string(each.name);
   }
-  throw InvalidInput("kind: got " + in_quotes(name) + ", allowed " + names);
+  throw InvalidInput::out_of_range("kind", in_quotes(name), names);
 }
 
 const Parameter* parameter(const Kind& kind, std::string_view name) {

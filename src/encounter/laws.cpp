@@ -18,13 +18,14 @@ Mixture mixture(const Encounter& encounter) {
   if (second && !rigid && std::holds_alternative<Sphere>(first) && std::holds_alternative<Sphere>(*second)) {
     return mixture(std::get<Sphere>(first), std::get<Sphere>(*second));
   }
-  throw InvalidInput("ratio: got a " + std::string(rigid ? "rigid " : "") + encounter.first.kind + " against " +
-                     encounter.against.kind + ", allowed elastic disks or spheres that meet each other");
+  throw InvalidInput::out_of_range(
+      "ratio", "a " + std::string(rigid ? "rigid " : "") + encounter.first.kind + " against " + encounter.against.kind,
+      "elastic disks or spheres that meet each other");
 }
 
 SlowLaw slow_law(const Solid& first, const std::optional<Solid>& second, bool rigid, bool second_rigid) {
   if (second_rigid) {
-    throw InvalidInput("beyond: got law, allowed error or clamp (there is none with a rigid second body)");
+    throw InvalidInput::out_of_range("beyond", "law", "error or clamp", "there is none with a rigid second body");
   }
   const auto* ball = std::get_if<Sphere>(&first);
   const auto* disk = std::get_if<Disk>(&first);
@@ -36,7 +37,8 @@ SlowLaw slow_law(const Solid& first, const std::optional<Solid>& second, bool ri
   if (!rigid && disk != nullptr && !second) return slow_law(*disk);
   if (!rigid && ball != nullptr && other_ball != nullptr) return slow_law(*ball, *other_ball);
   if (!rigid && disk != nullptr && other_disk != nullptr) return slow_law(*disk, *other_disk);
-  throw InvalidInput("beyond: got law, allowed error or clamp (there is no law of slow impacts of these bodies)");
+  throw InvalidInput::out_of_range("beyond", "law", "error or clamp",
+                                   "there is no law of slow impacts of these bodies");
 }
 
 SlowLaw slow_law(const Encounter& encounter) {

@@ -108,14 +108,15 @@ const Material& named_material(std::string_view name) {
   }
   // In version 1.0 "steel" was the structural one, which hardly any ball is made of.
   if (name == "steel") {
-    throw InvalidInput(
-        "material: got 'steel', allowed 'structural steel' (yields at 235 MPa) or 'bearing steel' (at 1.7 GPa): their "
-        "yield speeds differ by a factor of 140");
+    throw InvalidInput::out_of_range("material", "'steel'",
+                                     "'structural steel' (yields at 235 MPa) or 'bearing steel' (at 1.7 GPa): their "
+                                     "yield speeds differ by a factor of 140");
   }
   std::string similar = nearest(name, all);
   if (similar.empty() && !nearest(name, {"steel"}).empty()) similar = "structural steel or bearing steel";
-  throw InvalidInput("material: got " + in_quotes(name) + ", allowed " + names + ", or numbers of your own" +
-                     (similar.empty() ? "" : ", did you mean " + similar + "?"));
+  throw InvalidInput::out_of_range(
+      "material", in_quotes(name),
+      names + ", or numbers of your own" + (similar.empty() ? "" : ", did you mean " + similar + "?"));
 }
 
 }  // namespace stoss

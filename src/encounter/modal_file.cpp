@@ -22,7 +22,7 @@ constexpr double turn = 2.0 * std::numbers::pi;
 
 void read_curvature(const std::string& where, const Json& given, ModalBody& body) {
   if (!given.contains("curvature")) {
-    throw InvalidInput(where + " curvature: missing, one number or two in 1/m (0: a plane)");
+    throw InvalidInput::missing(where + " curvature", "one number or two in 1/m", "0: a plane");
   }
   const Json& value = given["curvature"];
   std::vector<double> both;
@@ -45,7 +45,7 @@ void read_modes(const std::string& where, const Json& given, ModalBody& body) {
   const auto list = [&](const char* name, std::optional<std::size_t> count) {
     if (given.contains(name)) return numbers(where + " " + name, given[name], count);
     if (std::string(name).find('_') == std::string::npos) {
-      throw InvalidInput(where + " " + name + ": missing, a list of numbers");
+      throw InvalidInput::missing(where + " " + name, "a list of numbers");
     }
     return std::vector<double>(count.value_or(0), 0.0);
   };
@@ -64,8 +64,8 @@ void read_modes(const std::string& where, const Json& given, ModalBody& body) {
   }
   const bool moves = given.contains("tangential_displacement");
   if (moves != body.tangent.has_value()) {
-    throw InvalidInput(where + " tangential_displacement: got " + (moves ? "one without a tangent" : "none") +
-                       ", allowed one beside a tangent, and none without");
+    throw InvalidInput::out_of_range(where + " tangential_displacement", (moves ? "one without a tangent" : "none"),
+                                     "one beside a tangent, and none without");
   }
   if (body.tangent) body.tangent->has_bends = given.contains("tangential_displacement_curvature");
 }
@@ -92,7 +92,7 @@ ModalBody modal_body_from_json(std::string_view text, const std::string& where) 
   }
   if (given.contains("loss_time")) body.loss_time = needed(where, given, "loss_time");
   if (given.contains("compliance_error")) body.compliance_error = needed(where, given, "compliance_error");
-  if (!given.contains("modes")) throw InvalidInput(where + " modes: missing, frequency and displacement");
+  if (!given.contains("modes")) throw InvalidInput::missing(where + " modes", "frequency and displacement");
   read_modes(where + " modes", given["modes"], body);
   if (given.contains("complete_to")) {
     body.complete_to = turn * needed(where, given, "complete_to");
@@ -102,7 +102,7 @@ ModalBody modal_body_from_json(std::string_view text, const std::string& where) 
   try {
     (void)modal_body(body);
   } catch (const InvalidInput& error) {
-    throw InvalidInput(where + " " + error.what());
+    throw error.within(where);
   }
   return body;
 }

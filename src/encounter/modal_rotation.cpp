@@ -18,7 +18,7 @@ struct Rotation {
 };
 
 Eigen::Vector3d vector(const std::string& where, const Json& given, const char* name) {
-  if (!given.contains(name)) throw InvalidInput(where + " " + name + ": missing, [x, y, z]");
+  if (!given.contains(name)) throw InvalidInput::missing(where + " " + name, "[x, y, z]");
   const std::vector<double> all = numbers(where + " " + name, given[name], 3);
   return {all[0], all[1], all[2]};
 }
@@ -32,7 +32,7 @@ Eigen::Vector3d direction(const std::string& where, const Json& given, const cha
 Rotation rotation_of(const std::string& where, const Json& given) {
   require_keys(where, given, {"inertia", "point", "normal"});
   if (!given.contains("inertia") || !given["inertia"].is_array() || given["inertia"].size() != 3) {
-    throw InvalidInput(where + " inertia: missing or not three rows; it needs 3 x 3 numbers in kg m^2");
+    throw InvalidInput::missing(where + " inertia", "or not three rows; it needs 3 x 3 numbers in kg m^2");
   }
   Rotation its;
   for (Eigen::Index row = 0; row < 3; ++row) {
@@ -80,7 +80,7 @@ PointTangent given_turning(const std::string& where, const Json& given, double m
   its.mass = given.contains("mass") ? needed(where, given, "mass") : mass;
   for (const auto& [name, place] : {std::pair{"inertia", &its.inertia}, {"arm", &its.arm}}) {
     if (!given.contains(name)) {
-      throw InvalidInput(where + " " + name + ": missing, a number in SI (or give the rotation of the body)");
+      throw InvalidInput::missing(where + " " + name, "a number in SI", "or give the rotation of the body");
     }
     *place = needed(where, given, name);
   }

@@ -20,11 +20,10 @@ MovingBody<3> body_of(const Solid& solid, double length, double density) {
     return {1.0 / mass, 2.5 / (mass * r * r), r, {}, {}};
   }
   if (std::holds_alternative<Rod>(solid))
-    throw InvalidInput("body: rods cannot be moved by collide, only disks and spheres");
+    throw InvalidInput::conflict("body", "rods cannot be moved by collide, only disks and spheres");
   if (std::holds_alternative<ModalBody>(solid)) {
-    throw InvalidInput(
-        "body: modal bodies cannot be moved by collide, only disks and spheres, which turn alike about "
-        "any axis");
+    throw InvalidInput::conflict(
+        "body", "modal bodies cannot be moved by collide, only disks and spheres, which turn alike about any axis");
   }
   return {0.0, 0.0, 0.0, {}, {}};
 }

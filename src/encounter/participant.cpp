@@ -26,17 +26,20 @@ double of_material(const Participant& of, const Kind& kind, std::string_view nam
 void require_layers(const Participant& of, const Kind& kind) {
   const std::size_t most = kind.add_layer ? most_layers : 1;
   if (of.below.size() >= most) {
-    throw InvalidInput("layers: got " + std::to_string(of.below.size() + 1) + ", allowed 1" +
-                       (most > 1 ? " to " + std::to_string(most) : "") + " of a " + of.kind);
+    throw InvalidInput::out_of_range("layers", std::to_string(of.below.size() + 1),
+                                     "1" + (most > 1 ? " to " + std::to_string(most) : "") + " of a " + of.kind);
   }
   for (std::size_t i = 0; i < of.below.size(); ++i) {
     const std::string layer = "layer " + std::to_string(i + 2) + " ";
     if (of.below[i].values.contains("loss_time")) {
-      throw InvalidInput(layer + "loss_time: one holds for the whole " + of.kind + " (give it with the first layer)");
+      throw InvalidInput::conflict(layer + "loss_time", "one holds for the whole " + of.kind,
+                                   "give it with the first layer");
     }
     if (of.below[i].material.has_value() != of.material.has_value()) {
-      throw InvalidInput(layer + (of.material ? "material: missing (the first layer has one, so all need one)"
-                                              : "material: the first layer has none, so none can have one"));
+      if (of.material) {
+        throw InvalidInput::missing(layer + "material", "", "the first layer has one, so all need one");
+      }
+      throw InvalidInput::conflict(layer + "material", "the first layer has none, so none can have one");
     }
   }
 }
@@ -54,9 +57,9 @@ void require_in_si(const Participant& of, const Kind& kind) {
 
 /// Its size and material, which what it meets is given in.
 Values values_of_file(const Participant& of) {
-  if (!of.modal) throw InvalidInput("body: a " + of.kind + " body needs its modes, from a body file");
+  if (!of.modal) throw InvalidInput::conflict("body", "a " + of.kind + " body needs its modes, from a body file");
   if (!of.values.empty()) {
-    throw InvalidInput(of.values.begin()->first + ": the body file has it already (leave it out)");
+    throw InvalidInput::conflict(of.values.begin()->first, "the body file has it already", "leave it out");
   }
   const ModalBody& its = *of.modal;
   return {{"radius", own_length(its)},
@@ -89,8 +92,10 @@ double loss_time_of(const Participant& of) {
   const double its = of_material(of);
   for (const Participant& layer : of.below) {
     if (const double other = of_material(layer); other != its) {
-      throw InvalidInput("loss_time: the layers' materials have " + shown(its) + " and " + shown(other) +
-                         " s, but one holds for the whole " + of.kind + " (give it; 0: no loss)");
+      throw InvalidInput::conflict("loss_time",
+                                   "the layers' materials have " + shown(its) + " and " + shown(other) +
+                                       " s, but one holds for the whole " + of.kind,
+                                   "give it; 0: no loss");
     }
   }
   return its;
@@ -119,9 +124,10 @@ Values all_values(const Participant& of, std::optional<double> poisson, double r
   require_layers(of, kind);
   for (const auto& [name, value] : of.values) {
     if (const Parameter* its = parameter(kind, name); its == nullptr) {
-      throw InvalidInput(name + ": a " + std::string(kind.name) + " has none (leave it out)");
+      throw InvalidInput::conflict(name, "a " + std::string(kind.name) + " has none", "leave it out");
     } else if (its->of_material && of.material) {
-      throw InvalidInput(name + ": the material has it already (leave out " + shown(value) + ", or the material)");
+      throw InvalidInput::conflict(name, "the material has it already",
+                                   "leave out " + shown(value) + ", or the material");
     }
   }
   require_in_si(of, kind);
@@ -135,13 +141,13 @@ Values all_values(const Participant& of, std::optional<double> poisson, double r
     } else if (const auto found = of.values.find(name); found != of.values.end()) {
       all[name] = found->second;
     } else if (of.material) {
-      throw InvalidInput(name + ": missing (a material needs it too, in " + std::string(each.unit) + ")");
+      throw InvalidInput::missing(name, "", "a material needs it too, in " + std::string(each.unit));
     } else if (name == "poisson" && poisson) {
       all[name] = *poisson;
     } else if (each.otherwise) {
       all[name] = *each.otherwise;
     } else {
-      throw InvalidInput(name + ": missing, a number (" + std::string(each.help) + ")");
+      throw InvalidInput::missing(name, "a number", std::string(each.help));
     }
   }
   return all;
@@ -155,11 +161,11 @@ std::vector<Values> values_below(const Participant& of, std::optional<double> po
     try {
       if (last) layer.values.try_emplace("thickness", std::numeric_limits<double>::infinity());
       if (!layer.values.contains("thickness")) {
-        throw InvalidInput("thickness: missing (only the last layer may have none: it has no end)");
+        throw InvalidInput::missing("thickness", "", "only the last layer may have none: it has no end");
       }
       all.push_back(all_values(layer, poisson, radius));
     } catch (const InvalidInput& error) {
-      throw InvalidInput("layer " + std::to_string(all.size() + 2) + " " + error.what());
+      throw error.within("layer " + std::to_string(all.size() + 2));
     }
   }
   return all;

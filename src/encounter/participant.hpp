@@ -16,7 +16,7 @@ auto of_what_is_met(Make make) {
   try {
     return make();
   } catch (const InvalidInput& error) {
-    throw InvalidInput(std::string("against ") + error.what());
+    throw error.within("against");
   }
 }
 

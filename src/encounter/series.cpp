@@ -62,7 +62,7 @@ struct Typed {
   const char* allowed;
 
   [[noreturn]] void refuse(const std::string& reason) const {
-    throw InvalidInput(std::string(name) + ": got " + in_quotes(text) + ", " + reason + " (allowed: " + allowed + ")");
+    throw InvalidInput::out_of_range(std::string(name), in_quotes(text), allowed, reason);
   }
 };
 

@@ -23,8 +23,8 @@ double modulus_of(const Solid& solid) {
 Solid ground_of(const Encounter& encounter) {
   const auto second = second_solid(encounter);
   if (!second || !ground::is_ground(*second)) {
-    throw InvalidInput("against: got " + encounter.against.kind +
-                       ", allowed a half-space, a half-plane, a plate or a strip");
+    throw InvalidInput::out_of_range("against", encounter.against.kind,
+                                     "a half-space, a half-plane, a plate or a strip");
   }
   return *second;
 }

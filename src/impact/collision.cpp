@@ -34,7 +34,7 @@ Collision::Collision(const Contact& contact, const FixedResolution& resolution, 
   if (pressures_ != nullptr) pressures_->begin(compression_);
   respond();
   if (!acts_from_afar() && force_ > 0.0) {
-    throw InvalidInput("start: the body already touches the wall (move its center back)");
+    throw InvalidInput::conflict("start", "the body already touches the wall", "move its center back");
   }
   // The first step has only the second half of the first kick.
   velocity_ += 0.5 * force_ * step_ / contact_.mass;

@@ -35,8 +35,8 @@ void require_known(const Contact& contact) {
   constexpr double rounding = 1.0 + 1e-9;
   for (const Body* body : {contact.first.get(), contact.second.get()}) {
     if (body == nullptr || body->cutoff <= rounding * body->known.complete_to) continue;
-    throw InvalidInput("cutoff: got " + rounded(body->cutoff) + " c/R of '" + body->name + "', allowed up to " +
-                       shown_most(body->known.complete_to) + " (higher modes are not known)");
+    throw InvalidInput::out_of_range("cutoff", rounded(body->cutoff) + " c/R of '" + body->name + "'",
+                                     "up to " + shown_most(body->known.complete_to), "higher modes are not known");
   }
 }
 

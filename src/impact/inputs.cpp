@@ -14,21 +14,21 @@ namespace stoss {
 
 void require_start(const State& start, double speed) {
   if (start.velocity != speed) {
-    throw InvalidInput("start: got velocity " + std::to_string(start.velocity) + ", allowed the speed of the impact, " +
-                       std::to_string(speed) + " (it is given twice)");
+    throw InvalidInput::out_of_range("start", "velocity " + std::to_string(start.velocity),
+                                     "the speed of the impact, " + std::to_string(speed), "it is given twice");
   }
   const auto finite = [](double x) { return std::isfinite(x); };
   if (!finite(start.center) || !std::all_of(start.coordinate.begin(), start.coordinate.end(), finite) ||
       !std::all_of(start.momentum.begin(), start.momentum.end(), finite)) {
-    throw InvalidInput(
-        "start: got a center, coordinate or momentum that is no finite number, allowed finite ones (nan?)");
+    throw InvalidInput::out_of_range("start", "a center, coordinate or momentum that is no finite number",
+                                     "finite ones", "nan?");
   }
 }
 
 std::shared_ptr<const Body> required_body(const Contact& contact, int number) {
   if (auto body = body_of(contact, number)) return body;
-  throw InvalidInput("body: got number " + std::to_string(number) + " of '" + name(contact) + "', allowed " +
-                     (body_of(contact, 1) == nullptr ? "0 (a wall has no inside)" : "0 or 1"));
+  throw InvalidInput::out_of_range("body", "number " + std::to_string(number) + " of '" + name(contact) + "'",
+                                   (body_of(contact, 1) == nullptr ? "0 (a wall has no inside)" : "0 or 1"));
 }
 
 void require_every(int every) {

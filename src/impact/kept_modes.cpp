@@ -31,9 +31,9 @@ kernels::Oscillators KeptModes::view() {
 
 void KeptModes::set(const std::vector<double>& coordinate, const std::vector<double>& momentum) {
   if (coordinate.size() != tables_->count || momentum.size() != tables_->count) {
-    throw InvalidInput("start: got " + std::to_string(coordinate.size()) + " coordinates and " +
-                       std::to_string(momentum.size()) + " momenta, allowed " + std::to_string(tables_->count) +
-                       " of each (one for every kept mode of the body)");
+    throw InvalidInput::out_of_range(
+        "start", std::to_string(coordinate.size()) + " coordinates and " + std::to_string(momentum.size()) + " momenta",
+        std::to_string(tables_->count) + " of each", "one for every kept mode of the body");
   }
   std::size_t mode = 0;
   for (std::size_t g = 0; g < tables_->size.size(); ++g) {

@@ -16,7 +16,7 @@ void require_times(const std::vector<double>& times) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     require("time", times[i], {-1e4, 1e4, true, true, "-1e4 to 1e4"}, "R/c, from the start of the impact");
     if (i > 0 && times[i] < times[i - 1]) {
-      throw InvalidInput("time: got times that do not ascend, allowed ascending ones (sort them)");
+      throw InvalidInput::out_of_range("time", "times that do not ascend", "ascending ones", "sort them");
     }
   }
 }
@@ -51,12 +51,12 @@ BodyFrame seen_by(const Contact& contact, const ContactGrid& grid, const Frame& 
   seen.body = required_body(contact, number);
   const std::size_t modes = mode_count(contact), of_first = mode_count(*contact.first);
   if (frame.state.coordinate.size() != modes) {
-    throw InvalidInput("state: got " + std::to_string(frame.state.coordinate.size()) + " coordinates, allowed " +
-                       std::to_string(modes) + " (one for every kept mode)");
+    throw InvalidInput::out_of_range("state", std::to_string(frame.state.coordinate.size()) + " coordinates",
+                                     std::to_string(modes), "one for every kept mode");
   }
   if (seen.body->part.size < 1.0) {
-    throw InvalidInput("body: got number " + std::to_string(number) + " of '" + name(contact) + "', allowed " +
-                       std::to_string(1 - number) + " (of the larger body only the near side is computed)");
+    throw InvalidInput::out_of_range("body", "number " + std::to_string(number) + " of '" + name(contact) + "'",
+                                     std::to_string(1 - number), "of the larger body only the near side is computed");
   }
   const UnitRatios units = units_of(contact, number);
   seen.length = units.length;
@@ -99,8 +99,8 @@ std::vector<Frame> motion(const Contact& contact, const Impact& impact, const st
                           const Poll& poll) {
   require_times(times);
   if (name(contact) != impact.contact || contact.cutoff != impact.cutoff || !same_modes(contact, impact.energy.modes)) {
-    throw InvalidInput("body: got '" + name(contact) + "', allowed the one of the impact with the same modes, '" +
-                       impact.contact + "'");
+    throw InvalidInput::out_of_range("body", "'" + name(contact) + "'",
+                                     "the one of the impact with the same modes, '" + impact.contact + "'");
   }
   std::vector<Frame> frames;
   frames.reserve(times.size());

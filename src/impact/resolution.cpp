@@ -14,8 +14,9 @@ namespace stoss {
 FixedResolution fixed_resolution(const Contact& contact, double speed, const Resolution& asked) {
   require_speed(speed);
   if (contact.unbounded && own_speed(contact, speed) > 1.0) {
-    throw InvalidInput("speed: got " + shown(speed) + " c at so soft a body, allowed up to " +
-                       shown_most(speed / own_speed(contact, speed)) + " (the wave speed of the softer body)");
+    throw InvalidInput::out_of_range("speed", shown(speed) + " c at so soft a body",
+                                     "up to " + shown_most(speed / own_speed(contact, speed)),
+                                     "the wave speed of the softer body");
   }
   const auto& [step, nodes, asked_half_width, tail] = asked;
   if (step) {

@@ -32,14 +32,14 @@ void add_partial(std::complex<double> amplitude, double omega, double decay, dou
 std::vector<double> sound(const Contact& contact, const Impact& impact, const SoundOptions& options, const Poll& poll) {
   const Body& body = *required_body(contact, options.body);
   if (!is_whole(body)) {
-    throw InvalidInput("of: got '" + body.name + "', allowed a body that is there as a whole (the waves of this one " +
-                       "run away)");
+    throw InvalidInput::out_of_range("of", "'" + body.name + "'", "a body that is there as a whole",
+                                     "the waves of this one run away");
   }
   require("interval", options.interval, {0.0, 1e12, false, true, "above 0, to 1e12"}, "R/c, between two samples");
   if (options.quality) require("quality", *options.quality, {0.5, 1e12, false, true, "above 0.5, to 1e12"}, "of modes");
   const State& last = impact.final_state;
   if (last.coordinate.size() != mode_count(contact)) {
-    throw InvalidInput("body: got '" + name(contact) + "' with other modes, allowed the one of the impact");
+    throw InvalidInput::out_of_range("body", "'" + name(contact) + "' with other modes", "the one of the impact");
   }
   const std::vector<double> shape = body.surface({.radius = 1.0, .spacing = 0.0, .count = 1}).shape;
   std::vector<double> sum(options.count, 0.0);

@@ -17,9 +17,10 @@ namespace {
 void require_modes(const Contact& contact, const State& state) {
   const std::size_t count = mode_count(contact);
   if (state.coordinate.size() != count || state.momentum.size() != count) {
-    throw InvalidInput("state: got " + std::to_string(state.coordinate.size()) + " coordinates and " +
-                       std::to_string(state.momentum.size()) + " momenta, allowed " + std::to_string(count) +
-                       " of each (one for every kept mode)");
+    throw InvalidInput::out_of_range("state",
+                                     std::to_string(state.coordinate.size()) + " coordinates and " +
+                                         std::to_string(state.momentum.size()) + " momenta",
+                                     std::to_string(count) + " of each", "one for every kept mode");
   }
 }
 
@@ -63,8 +64,8 @@ State free_motion(const Contact& contact, const State& state, double time) {
       moved.coordinate[k] = state.coordinate[k] * kept + state.momentum[k] * coupling / inertia;
       moved.momentum[k] = state.momentum[k] * slowed - state.coordinate[k] * coupling * inertia;
       if (!std::isfinite(moved.coordinate[k]) || !std::isfinite(moved.momentum[k])) {
-        throw InvalidInput("time: got " + std::to_string(time) +
-                           ", allowed times at which the modes are finite (a lossy body cannot be followed far back)");
+        throw InvalidInput::out_of_range("time", std::to_string(time), "times at which the modes are finite",
+                                         "a lossy body cannot be followed far back");
       }
     }
   }

@@ -58,7 +58,7 @@ class Numbers {
 
 void require_motion(const State& state) {
   if (!(state.velocity != 0.0) || !std::isfinite(state.velocity)) {
-    throw InvalidInput("state: got velocity " + shown(state.velocity) + ", allowed bodies that move");
+    throw InvalidInput::out_of_range("state", "velocity " + shown(state.velocity), "bodies that move");
   }
 }
 
@@ -72,24 +72,25 @@ std::string named(const Oscillation& mode) {
 void require_possible(const Contact& contact, const Oscillation& mode) {
   const auto its = body_of(contact, mode.body);
   if (its == nullptr) {
-    throw InvalidInput("vibration: got a mode of body " + std::to_string(mode.body) + ", allowed 0" +
-                       (body_of(contact, 1) == nullptr ? " (a wall has no modes)" : " or 1"));
+    throw InvalidInput::out_of_range("vibration", "a mode of body " + std::to_string(mode.body),
+                                     body_of(contact, 1) == nullptr ? "0" : "0 or 1", "a wall has no modes");
   }
   const Body& body = *its;
   if (!is_whole(body)) {
-    throw InvalidInput("vibration: got a mode of '" + short_name(body) +
-                       "', allowed modes of bodies that are there as a " + "whole (the waves of this one run away)");
+    throw InvalidInput::out_of_range("vibration", "a mode of '" + short_name(body) + "'",
+                                     "modes of bodies that are there as a " + "whole",
+                                     "the waves of this one run away");
   }
   if (is_known_at_a_point(body)) {
-    throw InvalidInput("vibration: got a mode of '" + body.name + "', allowed modes of bodies that are known as a " +
-                       "whole (of this one a point is)");
+    throw InvalidInput::out_of_range("vibration", "a mode of '" + body.name + "'",
+                                     "modes of bodies that are known as a " + "whole", "of this one a point is");
   }
   if (mode.order < 0 || mode.index < 0) {
-    throw InvalidInput("vibration: got " + named(mode) + ", allowed an order and an index of 0 or more");
+    throw InvalidInput::out_of_range("vibration", named(mode), "an order and an index of 0 or more");
   }
   const auto has_order = [&mode](const ModeGroup& group) { return group.order == mode.order; };
   if (mode.order != 0 && has_single_point(contact) && std::none_of(body.groups.begin(), body.groups.end(), has_order)) {
-    throw InvalidInput("vibration: got " + named(mode) + ", allowed order 0 (a flat end has no other)");
+    throw InvalidInput::out_of_range("vibration", named(mode), "order 0", "a flat end has no other");
   }
 }
 
@@ -112,10 +113,10 @@ State approach(const Contact& contact, double speed, const Vibration& vibration)
     require_possible(contact, mode);
     const std::optional<std::size_t> at = numbers.of(mode);
     if (!at) {
-      throw InvalidInput("vibration: got " + named(mode) + ", allowed modes up to the cutoff, " +
-                         shown_most(contact.cutoff) + " (raise it)");
+      throw InvalidInput::out_of_range("vibration", named(mode),
+                                       "modes up to the cutoff, " + shown_most(contact.cutoff), "raise it");
     }
-    if (given[*at]) throw InvalidInput("vibration: got " + named(mode) + " twice, allowed once");
+    if (given[*at]) throw InvalidInput::out_of_range("vibration", named(mode) + " twice", "once");
     constexpr Range not_negative{0.0, 1e12, true, true, "0 to 1e12"};
     require("energy", mode.energy, not_negative, "of a mode, as a share of the translational energy");
     require("phase", mode.phase, {-1e12, 1e12, true, true, "-1e12 to 1e12"}, "of a mode, radians");

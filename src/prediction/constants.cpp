@@ -84,7 +84,7 @@ void require_names(const Encounter& encounter, const PredictionOptions& options)
                                          std::any_of(constants().begin(), constants().end(),
                                                      [&](const Constant& each) { return each.name == constant; }));
     if (!known) {
-      throw InvalidInput("uncertainties: got '" + name + "', allowed " + allowed_names(encounter));
+      throw InvalidInput::out_of_range("uncertainties", "'" + name + "'", allowed_names(encounter));
     }
     require("uncertainties " + name, uncertainty, range, "the constant is known within a factor of 1 + this");
   }

@@ -88,11 +88,12 @@ Touching touching(const Encounter& encounter, std::optional<double> work_of_adhe
   const Participant& ball = encounter.first;
   const Participant& met = encounter.against;
   if (ball.kind != "sphere") {
-    throw InvalidInput("body: got a " + ball.kind + ", allowed a sphere (yield and adhesion are models of balls)");
+    throw InvalidInput::out_of_range("body", "a " + ball.kind, "a sphere", "yield and adhesion are models of balls");
   }
-  if (!ball.material) throw InvalidInput("material: missing (the ball needs one, and so does what it meets, in SI)");
+  if (!ball.material)
+    throw InvalidInput::missing("material", "", "the ball needs one, and so does what it meets, in SI");
   if (met.kind == "exponential" || met.modal) {
-    throw InvalidInput("against: got " + met.kind + ", allowed wall, same, sphere, half-space or plate");
+    throw InvalidInput::out_of_range("against", met.kind, "wall, same, sphere, half-space or plate");
   }
   const Side one = side_of(ball);
   Side other;

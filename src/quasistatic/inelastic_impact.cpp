@@ -154,7 +154,7 @@ void require_contact(const InelasticContact& contact) {
   constexpr double most = 1e100;
   const Range not_negative{0.0, most, true, true, "0 to 1e100"};
   if (!(contact.yield_depth > 0.0)) {
-    throw InvalidInput("yield_depth: got " + shown(contact.yield_depth) + ", allowed above 0, infinite without yield");
+    throw InvalidInput::out_of_range("yield_depth", shown(contact.yield_depth), "above 0, infinite without yield");
   }
   require("loss_time", contact.loss_time, not_negative, "in units of the impact");
   require("radiation", contact.radiation, not_negative, "in units of the impact");

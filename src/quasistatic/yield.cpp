@@ -63,8 +63,9 @@ std::optional<double> yield_speed(const Material& first, double first_radius, co
   const Hertzian one = of_any(first, first_radius), other = of_any(second, second_radius);
   const Hertzian both{one.compliance + other.compliance, one.curvature + other.curvature,
                       one.inverse_mass + other.inverse_mass};
-  if (both.curvature == 0.0) throw InvalidInput("radius: both are infinite, and one must be a sphere");
-  if (both.compliance == 0.0) throw InvalidInput("young: both bodies are rigid, and one of them must deform");
+  if (both.curvature == 0.0) throw InvalidInput::conflict("radius", "both are infinite, and one must be a sphere");
+  if (both.compliance == 0.0)
+    throw InvalidInput::conflict("young", "both bodies are rigid, and one of them must deform");
   const double strength = std::min(strength_of(first), strength_of(second));
   if (strength == infinity) return std::nullopt;
   return speed_at(both, yield_pressure_ratio * strength);

@@ -59,9 +59,10 @@ int lowest_level(const RefinableContact& contact, const Vibration& vibration, co
   for (const Oscillation& mode : vibration) {
     require_possible(finest, mode);
     if (keeps(finest, {mode})) continue;
-    throw InvalidInput("vibration: got " + named(mode) + ", allowed modes that it has up to " +
-                       shown_most(contact.cutoff(levels.highest)) +
-                       " c/R, the most that is computed at this speed (let fewer modes vibrate)");
+    throw InvalidInput::out_of_range("vibration", named(mode),
+                                     "modes that it has up to " + shown_most(contact.cutoff(levels.highest)) +
+                                         " c/R, the most that is computed at this speed",
+                                     "let fewer modes vibrate");
   }
   return levels.highest;
 }

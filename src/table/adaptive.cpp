@@ -29,8 +29,8 @@ void require_options(double slowest, double fastest, const FunctionOptions& opti
   require_speed(slowest);
   require_speed(fastest);
   if (!(slowest < fastest)) {
-    throw InvalidInput("range: got " + shown(slowest) + " to " + shown(fastest) +
-                       ", allowed a slowest speed below the fastest");
+    throw InvalidInput::out_of_range("range", shown(slowest) + " to " + shown(fastest),
+                                     "a slowest speed below the fastest");
   }
   require("error", options.error, {1e-7, 0.1, true, true, "1e-7 to 0.1"}, "maximum error of the restitution");
   require("most_speeds", static_cast<long>(options.most_speeds), 16, 100'000, "at which it is computed");

@@ -16,8 +16,8 @@ constexpr std::size_t fewest_of_speeds = 6, fewest_of_ratios = 2;  // intervals
 
 void require_rising(const char* name, const AxisRange& range) {
   if (!(range.low < range.high)) {
-    throw InvalidInput(std::string(name) + ": got " + shown(range.low) + " to " + shown(range.high) +
-                       ", allowed a first value below the last");
+    throw InvalidInput::out_of_range(std::string(name), shown(range.low) + " to " + shown(range.high),
+                                     "a first value below the last");
   }
 }
 

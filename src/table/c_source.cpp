@@ -109,7 +109,7 @@ void validate(const TableLabel& label) {
 std::string c_header(const RestitutionFunction& function, const TableLabel& label) {
   table::require_c_name(label.name);
   if (function.beyond() == Beyond::law) {
-    throw InvalidInput("beyond: got law, allowed error or clamp (a table in C has no law of slow impacts)");
+    throw InvalidInput::out_of_range("beyond", "law", "error or clamp", "a table in C has no law of slow impacts");
   }
   const auto [slowest, fastest] = table::speed_range(function, label.scale);
   const std::vector<Knot>& knots = function.knots();

@@ -143,8 +143,8 @@ void require_c_name(const std::string& name) {
   bool allowed = !name.empty() && name.size() <= longest && (is_lower(name.front()) || is_upper(name.front()));
   for (const char c : name) allowed = allowed && (is_lower(c) || is_upper(c) || is_digit(c) || c == '_');
   if (allowed) return;
-  throw InvalidInput("name: got '" + harmless(name.substr(0, longest)) +
-                     "', allowed up to 40 letters, digits and _, a letter first (names in C begin with it)");
+  throw InvalidInput::out_of_range("name", "'" + harmless(name.substr(0, longest)) + "'",
+                                   "up to 40 letters, digits and _, a letter first", "names in C begin with it");
 }
 
 std::string filled(std::string text, const std::string& name,

@@ -10,8 +10,8 @@ template <typename Round>
 Mixture mixed(Round first, Round second) {
   for (const Round& each : {first, second}) {
     if (each.loss_time != 0.0) {
-      throw InvalidInput("loss_time: got " + shown(each.loss_time) +
-                         ", allowed 0 (with a loss the radii themselves count, not their ratio alone)");
+      throw InvalidInput::out_of_range("loss_time", shown(each.loss_time), "0",
+                                       "with a loss the radii themselves count, not their ratio alone");
     }
   }
   const bool alike = first.poisson == second.poisson && first.young == second.young && first.density == second.density;

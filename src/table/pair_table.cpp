@@ -143,19 +143,19 @@ struct PairTable::Data {
 
   [[nodiscard]] double outside(double speed, double ratio) const {
     if (!std::isfinite(speed)) {
-      throw InvalidInput("speed: got " + shown(speed) + ", allowed a finite speed of approach");
+      throw InvalidInput::out_of_range("speed", shown(speed), "a finite speed of approach");
     }
     if (!(ratio > 0.0) || !std::isfinite(ratio)) {
-      throw InvalidInput("ratio: got " + shown(ratio) + ", allowed a positive finite ratio of radii");
+      throw InvalidInput::out_of_range("ratio", shown(ratio), "a positive finite ratio of radii");
     }
     const double difference = place(ratio);
     if (beyond == Beyond::error) {
       const bool of_speed = !(speed >= values.speeds.front() && speed <= values.speeds.back());
       const std::vector<double>& range = of_speed ? values.speeds : values.ratios;
-      throw InvalidInput((of_speed ? "speed: got " + shown(speed) : "ratio: got " + shown(ratio)) + ", allowed " +
-                         shown_least(range.front()) + " to " + shown_most(range.back()) +
-                         (values.alike && !of_speed ? " or inverse" : "") +
-                         " (the range for which the table was made)");
+      throw InvalidInput::out_of_range(of_speed ? "speed" : "ratio", shown(of_speed ? speed : ratio),
+                                       shown_least(range.front()) + " to " + shown_most(range.back()) +
+                                           (values.alike && !of_speed ? " or inverse" : ""),
+                                       "the range for which the table was made");
     }
     const double logarithm = std::clamp(std::log(speed), x.x().front(), x.x().back());
     const double nearest = std::clamp(difference, first, last);

@@ -19,19 +19,20 @@ constexpr std::size_t fewest = 5;  // so that one can be left out, with two on e
 
 void require_knots(const std::vector<Knot>& knots) {
   if (knots.size() < fewest) {
-    throw InvalidInput("knots: got " + std::to_string(knots.size()) + ", allowed " + std::to_string(fewest) +
-                       " computed values or more");
+    throw InvalidInput::out_of_range("knots", std::to_string(knots.size()),
+                                     std::to_string(fewest) + " computed values or more");
   }
   double before = 0.0;
   for (const Knot& knot : knots) {
     const auto& [value, error] = knot.restitution;
     if (!(knot.speed > before) || !std::isfinite(knot.speed)) {
-      throw InvalidInput("speed: got " + shown(knot.speed) + " after " + shown(before) +
-                         ", allowed positive finite speeds that rise (sort them)");
+      throw InvalidInput::out_of_range("speed", shown(knot.speed) + " after " + shown(before),
+                                       "positive finite speeds that rise", "sort them");
     }
     if (!std::isfinite(value) || !std::isfinite(error) || error < 0.0) {
-      throw InvalidInput("restitution: got " + shown(value) + " with the error " + shown(error) + " at speed " +
-                         shown(knot.speed) + ", allowed values with known errors (leave out what has not converged)");
+      throw InvalidInput::out_of_range(
+          "restitution", shown(value) + " with the error " + shown(error) + " at speed " + shown(knot.speed),
+          "values with known errors", "leave out what has not converged");
     }
     before = knot.speed;
   }
@@ -90,15 +91,14 @@ struct RestitutionFunction::Data {
   numeric::Bins bins;                 // of ln v
 
   [[nodiscard]] Estimate outside(double speed) const {
-    if (!std::isfinite(speed))
-      throw InvalidInput("speed: got " + shown(speed) + ", allowed a finite speed of approach");
+    if (!std::isfinite(speed)) throw InvalidInput::out_of_range("speed", shown(speed), "a finite speed of approach");
     const bool below = speed < slowest;
     if (beyond == Beyond::law && below) return law(speed);
     if (beyond == Beyond::clamp) {
       return {below ? cubic.y.front() : cubic.y.back(), std::numeric_limits<double>::infinity()};
     }
-    throw InvalidInput("speed: got " + shown(speed) + ", allowed " + shown(slowest) + " to " + shown(fastest) +
-                       " (the range for which the function was made)");
+    throw InvalidInput::out_of_range("speed", shown(speed), shown(slowest) + " to " + shown(fastest),
+                                     "the range for which the function was made");
   }
 };
 
@@ -106,11 +106,12 @@ RestitutionFunction::RestitutionFunction(std::vector<Knot> knots, Beyond beyond,
                                          std::vector<double> interpolation_error) {
   require_knots(knots);
   if (beyond == Beyond::law && !law) {
-    throw InvalidInput("beyond: got law, allowed error or clamp (there is no law of slow impacts of these bodies)");
+    throw InvalidInput::out_of_range("beyond", "law", "error or clamp",
+                                     "there is no law of slow impacts of these bodies");
   }
   if (beyond == Beyond::law && !std::isfinite(law(knots.front().speed).error)) {
-    throw InvalidInput("beyond: got law, allowed error or clamp from speed " + shown(knots.front().speed) +
-                       " on (the law of slow impacts says nothing there: begin at a lower speed)");
+    throw InvalidInput::out_of_range("beyond", "law", "error or clamp from speed " + shown(knots.front().speed) + " on",
+                                     "the law of slow impacts says nothing there: begin at a lower speed");
   }
   numeric::MonotoneCubic cubic(logarithms(knots), values(knots));
   const std::size_t intervals = knots.size() - 1;
@@ -118,8 +119,8 @@ RestitutionFunction::RestitutionFunction(std::vector<Knot> knots, Beyond beyond,
       interpolation_error.empty() ? estimated(cubic.x, cubic.y) : std::move(interpolation_error);
   const auto bad = [](double each) { return !(each >= 0.0) || !std::isfinite(each); };
   if (interpolation.size() != intervals || std::any_of(interpolation.begin(), interpolation.end(), bad)) {
-    throw InvalidInput("interpolation_error: got " + std::to_string(interpolation.size()) + ", allowed " +
-                       std::to_string(intervals) + " finite ones, 0 or more (one for each interval)");
+    throw InvalidInput::out_of_range("interpolation_error", std::to_string(interpolation.size()),
+                                     std::to_string(intervals) + " finite ones, 0 or more", "one for each interval");
   }
   std::vector<double> error = interpolation;
   for (std::size_t k = 0; k < intervals; ++k) {

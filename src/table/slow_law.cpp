@@ -80,10 +80,9 @@ SlowLaw at_half_the_speed(const SlowLaw& at_wall) {
 }
 
 InvalidInput no_law(const char* name, const char* what) {
-  // NOLINTNEXTLINE(modernize-return-braced-init-list): the constructor is explicit
-  return InvalidInput(std::string(name) + ": got " + what +
-                      ", allowed for a law of slow impacts a sphere or a disk at a wall or against its equal, or an "
-                      "elastic sphere on an elastic half-space");
+  return InvalidInput::out_of_range(std::string(name), what,
+                                    "for a law of slow impacts a sphere or a disk at a wall or against its equal, or "
+                                    "an elastic sphere on an elastic half-space");
 }
 
 }  // namespace

@@ -88,8 +88,8 @@ std::string two_column(const RestitutionFunction& function, double error, double
   const auto [slowest, fastest] = table::speed_range(function, scale);
   const double allowed = least_error * function.greatest_error();
   if (!(error >= allowed) || !std::isfinite(error)) {
-    throw InvalidInput("error: got " + shown(error) + ", allowed " + shown(allowed) +
-                       " or more (1.01 of the maximum error of the function)");
+    throw InvalidInput::out_of_range("error", shown(error), shown(allowed) + " or more",
+                                     "1.01 of the maximum error of the function");
   }
   const Chords chords(function, error);
   const auto row = [](double speed, double value) { return shown(speed) + " " + shown(value) + "\n"; };

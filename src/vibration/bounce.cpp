@@ -157,16 +157,14 @@ BounceNotConverged::BounceNotConverged(const std::string& reason, std::vector<Bo
 
 void validate(const Contact& contact, double speed, const BounceOptions& options) {
   if (contact.second != nullptr && !contact.unbounded) {
-    throw InvalidInput(
-        "against: got a free body, allowed a wall or a half-space (two free bodies that have met do not "
-        "come back to each other)");
+    throw InvalidInput::out_of_range("against", "a free body", "a wall or a half-space",
+                                     "two free bodies that have met do not come back to each other");
   }
   require_speed(speed);
   require("count", options.count, 1, 1'000'000'000, "impacts");
   if (options.flight_time.has_value() == options.gravity.has_value()) {
-    throw InvalidInput(std::string("flight_time: got ") +
-                       (options.gravity ? "it and gravity" : "neither it nor gravity") +
-                       ", allowed exactly one (gravity g makes the flight 2v/g)");
+    throw InvalidInput::out_of_range("flight_time", (options.gravity ? "it and gravity" : "neither it nor gravity"),
+                                     "exactly one", "gravity g makes the flight 2v/g");
   }
   if (options.flight_time) {
     require("flight_time", *options.flight_time, {0.0, 1e12, false, true, "above 0 to 1e12"}, "R/c");

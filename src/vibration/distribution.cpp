@@ -106,7 +106,7 @@ DistributionSummary summary(std::span<const Sample> samples) {
     result.least = std::min(result.least, value);
     result.greatest = std::max(result.greatest, value);
   }
-  if (restitution.empty()) throw InvalidInput("samples: none has a value, at least one is needed");
+  if (restitution.empty()) throw InvalidInput::conflict("samples", "none has a value, at least one is needed");
   result.samples = static_cast<long>(restitution.size());
   result.restitution = mean(restitution, result.standard_deviation);
   double of_lost = 0.0;

@@ -32,9 +32,8 @@ class Allowed {
       : contact_(contact), poll_(poll), loss_(longest_loss_time(contact.at(0, poll))) {
     const Contact& probe = contact.at(0, poll);
     if (!can_vibrate(*probe.first) && (probe.second == nullptr || !can_vibrate(*probe.second))) {
-      throw InvalidInput(
-          "temperature: got bodies without modes that vibrate, allowed bodies that have some (no rigid "
-          "body, nothing without end, and nothing that is known at a point only)");
+      throw InvalidInput::out_of_range("temperature", "bodies without modes that vibrate", "bodies that have some",
+                                       "no rigid body, nothing without end, and nothing that is known at a point only");
     }
   }
 
@@ -108,11 +107,12 @@ Spectrum thermal(const RefinableContact& contact, double temperature, double hig
   if (!spectrum.empty()) return spectrum;
   const double lowest = lowest_mode(allowed.with(greatest));
   if (lowest > greatest) {
-    throw InvalidInput("temperature: got bodies without modes that vibrate up to " + shown_most(greatest) +
-                       " c/R, allowed bodies that have some");
+    throw InvalidInput::out_of_range("temperature",
+                                     "bodies without modes that vibrate up to " + shown_most(greatest) + " c/R",
+                                     "bodies that have some");
   }
-  throw InvalidInput("highest: got " + shown(highest) + ", allowed from " + shown_least(lowest) +
-                     ", the lowest mode, to " + shown_most(greatest));
+  throw InvalidInput::out_of_range("highest", shown(highest),
+                                   "from " + shown_least(lowest) + ", the lowest mode, to " + shown_most(greatest));
 }
 
 std::vector<double> frequencies(const RefinableContact& contact, const Spectrum& spectrum, const Poll& poll) {

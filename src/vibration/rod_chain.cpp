@@ -25,16 +25,16 @@ void validate(const std::vector<Rod>& rods, double circumference, const std::vec
   for (const Rod& rod : rods) {
     static_cast<void>(scales(rod));  // refuses what is out of range
     if (rod.loss_time != 0.0) {
-      throw InvalidInput("loss_time: got " + shown(rod.loss_time) +
-                         " for a rod of a chain, allowed 0 (decay_time damps all vibrations alike)");
+      throw InvalidInput::out_of_range("loss_time", shown(rod.loss_time) + " for a rod of a chain", "0",
+                                       "decay_time damps all vibrations alike");
     }
     length += rod.length;
   }
   require("circumference", circumference,
           {length, std::numeric_limits<double>::max(), false, true, "above the sum of the lengths"}, "of the ring");
   if (velocities.size() != rods.size()) {
-    throw InvalidInput("velocities: got " + std::to_string(velocities.size()) + ", allowed " +
-                       std::to_string(rods.size()) + " (one for each rod)");
+    throw InvalidInput::out_of_range("velocities", std::to_string(velocities.size()), std::to_string(rods.size()),
+                                     "one for each rod");
   }
   constexpr Range speeds{-1e100, 1e100, true, true, "-1e100 to 1e100"};
   for (const double each : velocities) require("velocities", each, speeds, "of the rods");
@@ -142,7 +142,7 @@ struct RodChain::State {
 RodCollision RodChain::State::collide() {
   const std::size_t left = first(), right = right_of(left);
   const double due = pairs[left].next;
-  if (due == never) throw InvalidInput("rod_chain: no collision is due (the rods only part, or rest)");
+  if (due == never) throw InvalidInput::conflict("rod_chain", "no collision is due", "the rods only part, or rest");
   watch(due);
   time = std::max(time, due);
   RodCollision result;
@@ -203,8 +203,8 @@ RodCollision RodChain::collide() { return state_->collide(); }
 
 void RodChain::fly(double time) {
   if (!(time >= state_->time && time <= next()) || time == never) {
-    throw InvalidInput("time: got " + shown(time) + ", allowed from " + shown(state_->time) + " to " + shown(next()) +
-                       ", when the next rods meet");
+    throw InvalidInput::out_of_range(
+        "time", shown(time), "from " + shown(state_->time) + " to " + shown(next()) + ", when the next rods meet");
   }
   state_->time = time;
 }

@@ -42,8 +42,7 @@ void run(RodChain& chain, RodChainRecord& record, long collisions, double time) 
   require("collisions", collisions, 0, 1'000'000'000, "of the chain");
   const RodChainSample start = chain.sample();
   if (!(time >= start.time)) {
-    throw InvalidInput("time: got " + shown(time) + ", allowed " + shown(start.time) +
-                       " or more (until when the chain runs)");
+    throw InvalidInput::out_of_range("time", shown(time), shown(start.time) + " or more", "until when the chain runs");
   }
   if (record.samples.empty()) record.samples.push_back(start);
   long next = sampled_after(start.collisions);

@@ -25,7 +25,7 @@ void RodWave::set(std::vector<Piece> pieces) {
   for (const Piece& piece : pieces) sum += piece.duration;
   constexpr double rounding = 1e-9;
   if (!(std::abs(sum - 2.0 * transit_) <= rounding * transit_)) {
-    throw InvalidInput("pieces: got a period of " + shown(sum) + ", allowed " + shown(2.0 * transit_));
+    throw InvalidInput::out_of_range("pieces", "a period of " + shown(sum), shown(2.0 * transit_));
   }
   pieces_ = std::move(pieces);
   head_ = 0;

@@ -41,6 +41,11 @@ TEST(CStatus, RefusesWhatCppRefuses) {
     }
     return line.c_str();
   }());
+  const stoss_refusal refusal = stoss_last_refusal();
+  EXPECT_EQ(refusal.kind, STOSS_OUT_OF_RANGE);
+  EXPECT_STREQ(refusal.name, "poisson");
+  EXPECT_STREQ(refusal.got, "0.5");
+  EXPECT_EQ(std::string("poisson: got 0.5, allowed ") + refusal.allowed + " (" + refusal.hint + ")", stoss_message());
   EXPECT_EQ(body.handle, nullptr);
 
   CContact contact;

@@ -174,7 +174,7 @@ val sound(const Question& asked) { return collision_of(asked).sound(asked); }
 val shape(const Question& asked) {
   const auto meeting = asked.meeting();
   const int body = asked.given["body"].as<int>();
-  if (body == 1 && !meeting->second) throw InvalidInput("body: got the second, allowed the first");
+  if (body == 1 && !meeting->second) throw InvalidInput::out_of_range("body", "the second", "the first");
   const Interior made = mode_shape(meeting->solid(body), asked.given["order"].as<int>(), asked.given["index"].as<int>(),
                                    points_of(asked.given["grid"]));
   return object({{"radial", float32_array(made.radial)}, {"tangential", float32_array(made.tangential)}});

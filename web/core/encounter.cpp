@@ -56,8 +56,8 @@ Meeting::Meeting(const std::string& document)
       si(si_scales(encounter)),
       contact(refinable(encounter)) {
   if (encounter.vibration.empty()) return;
-  throw InvalidInput("vibration: got " + std::to_string(encounter.vibration.size()) +
-                     " modes, allowed none (the command and the Python package compute bodies that vibrate before)");
+  throw InvalidInput::out_of_range("vibration", std::to_string(encounter.vibration.size()) + " modes", "none",
+                                   "the command and the Python package compute bodies that vibrate before");
 }
 
 bool Meeting::against_unbounded() const {

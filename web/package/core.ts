@@ -1,8 +1,24 @@
 // The core as Emscripten makes it of what web/core has compiled.
 import create from './stoss.mjs';
 
-/** What the core cannot do: one line, with the name of the argument first where there is one. */
-export class CoreError extends Error {}
+/** The parts of an input that is refused, of which the message is one line. */
+export interface Refusal {
+  readonly kind: 'out_of_range' | 'missing' | 'conflict';
+  /** of the input; after "against" where it is of what the first body meets */
+  readonly name: string;
+  /** '' where something is missing or does not go together */
+  readonly got: string;
+  /** what is allowed or needed, or why it does not go together */
+  readonly allowed: string;
+  readonly hint: string;
+}
+
+/** What the core cannot do: one line, with the name of the input first where one is refused. */
+export class CoreError extends Error {
+  constructor(message: string, /** where an input is refused */ readonly refusal?: Refusal) {
+    super(message);
+  }
+}
 CoreError.prototype.name = 'CoreError';
 
 /** Gets what comes one by one. */
@@ -26,8 +42,8 @@ export function instantiate(module: CompiledCore, alive: () => void = () => {}):
       },
     });
     made.then((core) => resolve((question, given, deliver = () => {}) => {
-      const { value, error } = core[question]!(given, deliver);
-      if (error !== undefined) throw new CoreError(error);
+      const { value, error, refusal } = core[question]!(given, deliver);
+      if (error !== undefined) throw new CoreError(error, refusal);
       return value;
     }), reject);
   });

@@ -2,7 +2,7 @@
 import type { CompiledCore } from './core.js';
 import { loader } from './methods.js';
 
-export { type Ask, type CompiledCore, CoreError, type Deliver, instantiate } from './core.js';
+export { type Ask, type CompiledCore, CoreError, type Deliver, type Refusal, instantiate } from './core.js';
 export type { Against, Encounter, First, Material, ModalBody } from './generated/documents.js';
 export type { Quantities } from './generated/quantities.js';
 export type { NamedMaterial, Options, Stoss } from './methods.js';

@@ -4,7 +4,7 @@ import { fileURLToPath } from 'node:url';
 import type { CompiledCore } from './core.js';
 import { loader } from './methods.js';
 
-export { CoreError, instantiate } from './core.js';
+export { CoreError, type Refusal, instantiate } from './core.js';
 
 export async function compile(
   from: string | { readonly href: string } = new URL('./stoss.wasm', import.meta.url),

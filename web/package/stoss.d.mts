@@ -1,5 +1,6 @@
 // Emscripten's script, which web/core builds.
 
 /** What web/core answers. */
-type Core = Record<string, (given: object, deliver: unknown) => { value?: unknown; error?: string }>;
+type Answer = { value?: unknown; error?: string; refusal?: import('./core.js').Refusal };
+type Core = Record<string, (given: object, deliver: unknown) => Answer>;
 export default function create(options: object): Promise<Core>;

@@ -169,7 +169,7 @@ function showCurves(): void {
 const series = find('series', HTMLInputElement);
 series.addEventListener('change', () => {
   const problem = find('series-problem', HTMLElement);
-  problem.textContent = refusal(() => curves.at(series.value));
+  problem.textContent = refusal(() => curves.at(series.value))?.message ?? '';
   problem.hidden = problem.textContent === '';
 });
 

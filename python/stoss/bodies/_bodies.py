@@ -144,7 +144,7 @@ def speeds_in_si(body: Body | None) -> Iterator[None]:
     except InvalidInput as error:
         units = {"speed": "c is {speed:.6g} m/s", "tangential": "c is {speed:.6g} m/s"}
         units |= {"spin": "c/R is {frequency:.6g} rad/s", "second_spin": "c/R is {frequency:.6g} rad/s"}
-        name = str(error).partition(":")[0]
-        if body is None or body.material is None or name not in units:
+        if body is None or body.material is None or error.name not in units:
             raise
-        raise InvalidInput(f"{error}; with this material {units[name].format(**body.scales._asdict())}") from None
+        unit = units[error.name].format(**body.scales._asdict())
+        raise error.renamed(error.name, f"with this material {unit}") from None

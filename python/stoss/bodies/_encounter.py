@@ -25,7 +25,7 @@ def choose_body(body: Any, poisson: Any, *, rigid: bool = False) -> Body:
     """The body that was meant: exactly one of the two must be given. Only where that may be, it is a `rigid` one."""
     if (body is None) == (poisson is None):
         got = "neither" if body is None else "body and poisson"
-        raise InvalidInput(f"body: got {got}, allowed one of body and poisson")
+        raise InvalidInput.out_of_range("body", got, "one of body and poisson")
     chosen: Body = Disk(poisson=poisson) if body is None else instance("body", body, BODIES)
     if is_rigid(chosen) and not rigid:
         raise refusal("body", chosen, "an elastic body (a rigid one only meets others)")

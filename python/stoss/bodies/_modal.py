@@ -191,7 +191,7 @@ class ModalBody(Solid):
         try:
             return cls.from_dict(read_document(path, NESTED))
         except InvalidInput as error:
-            raise InvalidInput(f"{os.fspath(path)}: {error}") from None
+            raise error.renamed(f"{os.fspath(path)}: {error.name}") from None
 
     @documented
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -247,4 +247,4 @@ def _require(document: Specification) -> None:
     try:
         _core.encounter(json.dumps({"first": {"kind": "modal", "body": document}}))
     except InvalidInput as error:
-        raise InvalidInput(str(error).removeprefix("first ").removeprefix("body ")) from None
+        raise error.renamed(error.name.removeprefix("first ").removeprefix("body ")) from None

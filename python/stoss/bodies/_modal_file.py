@@ -27,13 +27,13 @@ def read_document(path: str | os.PathLike[str], nested: Nested) -> Any:
     with open_file("body", path) as stream:
         content = stream.read(MOST + 1)
     if len(content) > MOST:
-        raise InvalidInput("body: got more than 64 MiB, allowed a file of modes at a point")
+        raise InvalidInput.out_of_range("body", "more than 64 MiB", "a file of modes at a point")
     packed = content.startswith(b"PK")
     try:
         return _unpacked(content, nested) if packed else of_json(content.decode("utf-8"))
     except Exception as error:  # there are no names for all that zipfile and NumPy find wrong with bytes
         kind = "an NPZ file of numbers and texts" if packed else "a JSON document"
-        raise InvalidInput(f"body: not {kind} ({_line(error)})") from None
+        raise InvalidInput.conflict("body", f"not {kind}", _line(error)) from None
 
 
 def _line(error: Exception) -> str:

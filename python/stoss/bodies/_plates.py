@@ -133,7 +133,7 @@ def _require(plate: Specification, material: Material | None) -> None:
     try:
         _core.encounter(json.dumps({"first": ball, "against": plate}))
     except InvalidInput as error:
-        raise InvalidInput(str(error).removeprefix("against ")) from None
+        raise error.renamed(error.name.removeprefix("against ")) from None
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True, repr=False)

@@ -110,11 +110,11 @@ class Solid:
         """The value of a parameter; with a material never one that it makes otherwise."""
         if given is None:
             if made is None and material is not None:
-                raise InvalidInput(f"{asked.name}: missing (a material needs it too, in SI)")
+                raise InvalidInput.missing(asked.name, "", "a material needs it too, in SI")
             if made is None and (KINDS[self._kind].bounded or not asked.of_material):
                 # A block has the Poisson's ratio of what it meets.
                 instead = ", or a material instead" if asked.of_material else ""
-                raise InvalidInput(f"{asked.name}: missing, a number{instead}")
+                raise InvalidInput.missing(asked.name, f"a number{instead}")
             return made
         value = number(asked.name, given)
         if material is not None and asked.of_material and value != made:

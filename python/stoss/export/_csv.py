@@ -194,8 +194,12 @@ def _number(cell: str) -> float | None:
 
 
 def _foreign(path: str) -> InvalidInput:
-    return InvalidInput(f"path: got {path!r}, allowed a CSV that stoss has written (its first line says so)")
+    return InvalidInput.out_of_range(
+        "path", repr(path), "a CSV that stoss has written", "its first line says so"
+    )
 
 
 def _damaged(path: str, what: str) -> InvalidInput:
-    return InvalidInput(f"path: got {path!r}, which is damaged ({what}), allowed a whole CSV that stoss has written")
+    return InvalidInput.out_of_range(
+        "path", f"{path!r}, which is damaged ({what})", "a whole CSV that stoss has written"
+    )

@@ -22,7 +22,7 @@ def require(name: str, given: object, own: str) -> None:
     title, _, version = own.rpartition(" ")
     found = re.fullmatch(rf"{re.escape(title)} ([1-9]\d{{0,8}})", given) if isinstance(given, str) else None
     hint = " (written by a later stoss)" if found and int(found[1]) > int(version) else ""
-    raise InvalidInput(f"{name}: got {str(given)[:60]!r}, allowed {own!r}{hint}")
+    raise InvalidInput.out_of_range(name, repr(str(given)[:60]), f"{own!r}{hint}")
 
 
 def require_readable(name: str, path: str, version: str) -> None:
@@ -30,6 +30,9 @@ def require_readable(name: str, path: str, version: str) -> None:
     own = _core.version.split(".")[0]
     found = re.match(r"\d+", version)
     if found and int(found[0]) > int(own):
-        raise InvalidInput(
-            f"{name}: got {path!r} of stoss {version}, allowed one of stoss {own} or earlier (stoss {found[0]} can read it)"
+        raise InvalidInput.out_of_range(
+            name,
+            f"{path!r} of stoss {version}",
+            f"one of stoss {own} or earlier",
+            f"stoss {found[0]} can read it",
         )

@@ -89,7 +89,9 @@ def rows(columns: Mapping[str, Any], key: Any, count: int) -> dict[str, Any]:
     for name, part in parts.items():
         if isinstance(part, np.ndarray):
             if part.ndim > np.ndim(columns[name]):
-                raise InvalidInput(f"index: got {key!r}, allowed an integer, a slice, or an array of integers or flags")
+                raise InvalidInput.out_of_range(
+                    "index", repr(key), "an integer, a slice, or an array of integers or flags"
+                )
             part.flags.writeable = False
     return parts
 

@@ -206,7 +206,7 @@ def fit(
         of = _names().PROGRAMS[choice("program", program, PROGRAMS)]
         wording = of.laws.get(chosen)
         if wording is None:
-            raise InvalidInput(f"law: got {chosen} for {program}, allowed {', '.join(of.laws)}")
+            raise InvalidInput.out_of_range("law", f"{chosen} for {program}", ", ".join(of.laws))
         if not of.walls and not isinstance(met, Sphere):
             raise refusal("against", against, f"a stoss.Sphere for {program}")
     laws = _names()

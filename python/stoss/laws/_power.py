@@ -45,8 +45,9 @@ class PowerLaw(Law):
         at = nearest_to(lambda d: cls._head_on(number(d), spring)[0], impacts.restitution, lost, most)
         unit = cls._head_on(number(at), spring)[1] * impacts.speed ** ((1.0 - n) / (n + 1.0))
         if not np.isfinite(unit).all():
-            hint = "allowed another one (with so much loss its contacts would not end)"
-            raise InvalidInput(f"law: got {cls.NAME}, {hint}")
+            raise InvalidInput.out_of_range(
+                "law", cls.NAME, "another one", "with so much loss its contacts would not end"
+            )
         time = scale(unit, impacts.contact_time)  # (m/k)^{1/(n+1)}
         ratio = None
         if impacts.friction > 0.0:

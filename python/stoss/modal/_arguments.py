@@ -21,7 +21,7 @@ UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6}
 
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
-        raise InvalidInput(f"{message} (see python -m stoss.modal --help)")
+        raise InvalidInput.conflict("arguments", message, "see python -m stoss.modal --help")
 
 
 def _numbers(*counts: int) -> Callable[[str], tuple[float, ...]]:
@@ -75,25 +75,25 @@ def parse(words: Sequence[str]) -> argparse.Namespace:
     unit = UNITS[given.unit]
     given.scale = unit
     if math.hypot(*given.normal) == 0.0:
-        raise InvalidInput("normal: got length 0, allowed any direction out of the body")
+        raise InvalidInput.out_of_range("normal", "length 0", "any direction out of the body")
     if given.tangent is not None:
         _perpendicular(given.tangent, given.normal)
     if given.modes < 1:
-        raise InvalidInput(f"modes: got {given.modes}, allowed 1 or more")
+        raise InvalidInput.out_of_range("modes", given.modes, "1 or more")
     for name in ("size", "size_at_point", "radius", "up_to", "loss_time", "young", "density"):
         value = getattr(given, name)
         if value is not None and not 0.0 < value < math.inf:
-            raise InvalidInput(f"{name.replace('_', '-')}: got {value}, allowed above 0")
+            raise InvalidInput.out_of_range(name.replace("_", "-"), value, "above 0")
     if shape and given.size is None:
-        raise InvalidInput("size: missing, the edge length of the mesh to be made of a shape")
+        raise InvalidInput.missing("size", "the edge length of the mesh to be made of a shape")
     if shape and given.coarse:
-        raise InvalidInput(f"{given.coarse}: a shape needs no second file (see --coarser)")
+        raise InvalidInput.conflict(given.coarse, "a shape needs no second file", "see --coarser")
     if not shape and not given.coarse and not given.errors_unknown:
-        raise InvalidInput(
-            "with one mesh the errors are unknown: give a coarser one too, or --errors-unknown"
+        raise InvalidInput.conflict(
+            "with one mesh the errors are unknown", "give a coarser one too, or --errors-unknown"
         )
     if not 1.1 <= given.coarser <= 4.0:
-        raise InvalidInput(f"coarser: got {given.coarser}, allowed 1.1 to 4")
+        raise InvalidInput.out_of_range("coarser", given.coarser, "1.1 to 4")
     given.point = tuple(unit * x for x in given.point)
     if given.size is not None:
         given.size_at_point = unit * (given.size_at_point or given.size / 8.0)
@@ -109,11 +109,11 @@ def parse(words: Sequence[str]) -> argparse.Namespace:
 def _perpendicular(tangent: Sequence[float], normal: Sequence[float]) -> None:
     length = math.hypot(*tangent) * math.hypot(*normal)
     if length == 0.0:
-        raise InvalidInput("tangent: got length 0, allowed any direction along the surface")
+        raise InvalidInput.out_of_range("tangent", "length 0", "any direction along the surface")
     off = math.degrees(math.asin(min(1.0, abs(sum(map(operator.mul, tangent, normal))) / length)))
     if off > 1.0:
-        raise InvalidInput(
-            f"tangent: got {off:.1f} degrees off the surface, allowed up to 1 (a right angle to normal)"
+        raise InvalidInput.out_of_range(
+            "tangent", f"{off:.1f} degrees off the surface", "up to 1", "a right angle to normal"
         )
 
 
@@ -121,12 +121,16 @@ def _material(given: argparse.Namespace) -> None:
     constants = (given.young, given.poisson, given.density)
     if given.material is not None:
         if any(each is not None for each in constants):
-            raise InvalidInput("material: give either a name, or young, poisson and density, not both")
+            raise InvalidInput.conflict(
+                "material", "give either a name, or young, poisson and density, not both"
+            )
         from stoss import materials
 
         named = materials[given.material]
         given.young, given.poisson, given.density = named.young, named.poisson, named.density
     elif any(each is None for each in constants):
-        raise InvalidInput("material: missing: --material NAME, or --young, --poisson, --density")
+        raise InvalidInput.missing(
+            "material", ": --material NAME, or --young, --poisson, --density"
+        )
     if not -1.0 < given.poisson <= 0.49:
-        raise InvalidInput(f"poisson: got {given.poisson}, allowed -1 to 0.49 (elements lock)")
+        raise InvalidInput.out_of_range("poisson", given.poisson, "-1 to 0.49", "elements lock")

@@ -53,20 +53,21 @@ def load(
     `unit` is that of the file's lengths, in m. Of a shape a mesh of these `sizes` is made, which is
     fine at `point`, in m. `thick` refuses meshes that are mostly one tetrahedron thick.
     """
-    wrong, length = "", 1.0
+    wrong: InvalidInput | None = None
+    length = 1.0
     if comm.rank == 0:
         gmsh.initialize(["stoss.modal"], False)
         try:
             gmsh.option.setNumber("General.Terminal", 0)
             length = _open(path, unit, point, sizes, thick)
         except InvalidInput as error:
-            wrong = str(error)
+            wrong = error
         except Exception as error:  # what Gmsh raises
-            wrong = f"{path}: Gmsh cannot read or mesh it: {error}"
+            wrong = InvalidInput.conflict(path, f"Gmsh cannot read or mesh it: {error}")
     wrong, length = comm.bcast((wrong, length), root=0)
     try:
         if wrong:
-            raise InvalidInput(wrong)
+            raise wrong
         mesh, _, _ = gmshio.model_to_mesh(gmsh.model, comm, 0, gdim=3)
     finally:
         if comm.rank == 0:
@@ -80,32 +81,32 @@ def _open(
 ) -> float:
     """Leaves in Gmsh one group of tetrahedra. Returns half the diagonal of the box around them."""
     if not os.path.isfile(path):
-        raise InvalidInput(f"{path}: no such file")
+        raise InvalidInput.conflict(path, "no such file")
     gmsh.open(path)
     if is_shape(path):
         assert sizes is not None
         _generate(unit, point, sizes)
     types = list(gmsh.model.mesh.getElementTypes(3))
     if not types:
-        raise InvalidInput(f"{path}: the mesh has no tetrahedra (in Gmsh: gmsh -3 -order 2)")
+        raise InvalidInput.conflict(path, "the mesh has no tetrahedra", "in Gmsh: gmsh -3 -order 2")
     if len(types) > 1 or types[0] not in ORDERS:
         names = ", ".join(gmsh.model.mesh.getElementProperties(kind)[0] for kind in types)
-        raise InvalidInput(f"{path}: got {names}, allowed tetrahedra of one order, 1 or 2")
+        raise InvalidInput.out_of_range(path, names, "tetrahedra of one order, 1 or 2")
     gmsh.model.mesh.renumberNodes()
     gmsh.model.removePhysicalGroups()
     gmsh.model.addPhysicalGroup(3, [tag for _, tag in gmsh.model.getEntities(3)])
     corners = gmsh.model.mesh.getElementsByType(types[0])[1].reshape(-1, 4 if types[0] == 4 else 10)
     inverted = int(np.sum(_inverted(types[0])))
     if inverted:
-        raise InvalidInput(f"{path}: {inverted} tetrahedra are inside out or flat")
+        raise InvalidInput.conflict(path, f"{inverted} tetrahedra are inside out or flat")
     tags, x, _ = gmsh.model.mesh.getNodes()
     parts = _parts(corners[:, :4].astype(np.int64))
     if parts > 1:
-        raise InvalidInput(f"{path}: the mesh is in {parts} parts that do not hang together")
+        raise InvalidInput.conflict(path, f"the mesh is in {parts} parts that do not hang together")
     loose = int(np.sum(~np.isin(tags, corners)))
     if loose:
-        raise InvalidInput(
-            f"{path}: {loose} nodes belong to no tetrahedron (surfaces or points beside the volume)"
+        raise InvalidInput.conflict(
+            path, f"{loose} nodes belong to no tetrahedron", "surfaces or points beside the volume"
         )
     x = np.reshape(x, (-1, 3))
     if thick:
@@ -120,10 +121,10 @@ def _refuse_thin(
     places[tags] = x
     share = thin_share(corners, places)
     if share > MOST:
-        raise InvalidInput(
-            f"{path}: {100 * share:.0f} % of the volume is only one tetrahedron thick, allowed "
-            f"{100 * MOST:.0f} %: two such meshes err alike, which hides their errors (two through "
-            "the thickness, by a smaller --size, or one mesh with --errors-unknown)"
+        raise InvalidInput.conflict(
+            path,
+            f"{100 * share:.0f} % of the volume is only one tetrahedron thick, allowed {100 * MOST:.0f} %: two such meshes err alike, which hides their errors",
+            "two through the thickness, by a smaller --size, or one mesh with --errors-unknown",
         )
 
 

@@ -85,7 +85,9 @@ class Spectrum:
         values = values[order]
         rigid = int(np.sum(np.abs(values) < RIGID))
         if rigid != 6:
-            raise InvalidInput(f"mesh: {rigid} rigid motions, must be 6: does it hang together?")
+            raise InvalidInput.conflict(
+                "mesh", f"{rigid} rigid motions, must be 6: does it hang together?"
+            )
         # The last ones may have others of the same frequency behind them.
         gaps = np.diff(np.sqrt(values[6:]))[count - 1 :]
         end = 6 + count + int(np.argmax(gaps))

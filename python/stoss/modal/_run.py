@@ -67,15 +67,15 @@ def _solve(
     surface = Surface(mesh, length, given.point, given.normal, given.tangent)
     curvature = given.curvature or tuple(k / length for k in surface.curvature)
     if min(curvature) < 0.0:
-        raise InvalidInput(
-            f"curvature: got {min(curvature):.4g} 1/m, a hollow, allowed 0 or more (--curvature)"
+        raise InvalidInput.out_of_range(
+            "curvature", f"{min(curvature):.4g} 1/m, a hollow", "0 or more", "--curvature"
         )
     body = Elasticity(mesh, given.poisson)
     unknowns, tetrahedra = body.mass.getSize()[0], mesh.topology.index_map(3).size_global
     progress.say(f"{kind}mesh: {tetrahedra} tetrahedra, {unknowns} unknowns")
     if finer and given.coarse and _ratio(finer["tetrahedra"], tetrahedra) < 1.1:
         most = int(finer["tetrahedra"] / 1.1**3)
-        raise InvalidInput(f"{path}: has {tetrahedra} tetrahedra, allowed at most {most}")
+        raise InvalidInput.conflict(path, f"has {tetrahedra} tetrahedra, allowed at most {most}")
     spectrum = Spectrum(body)
     speed, weight = math.sqrt(given.young / given.density), given.density * length**3
     if known is None:
@@ -100,7 +100,9 @@ def _solve(
     if given.up_to:
         count = spectrum.below((2.0 * math.pi * given.up_to * length / speed) ** 2) - 6
         if count < 1:
-            raise InvalidInput(f"up-to: got {given.up_to} Hz, below which there is no elastic mode")
+            raise InvalidInput.out_of_range(
+                "up-to", f"{given.up_to} Hz", "a higher one", "no elastic mode is below it"
+            )
     progress.say(f"{kind}mesh: {count} modes", lasting=False)
     modes = spectrum.modes(
         count, surface, lambda done: progress.say(f"{kind}mesh: mode {done} of {count}", False)

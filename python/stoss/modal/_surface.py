@@ -54,8 +54,8 @@ class Surface:
         self.edge = self._edge()
         self.facets = self.near(PATCH * self.edge)
         if mesh.comm.allreduce(len(self.facets)) == 0:
-            raise InvalidInput(
-                "normal: the surface does not face that way at the point (does it lead outward?)"
+            raise InvalidInput.conflict(
+                "normal", "the surface does not face that way at the point", "does it lead outward?"
             )
         self.curvature = self._curvature()
 
@@ -84,7 +84,9 @@ class Surface:
         parts = self.mesh.comm.allgather(flat)
         everywhere = np.concatenate(parts)
         if len(everywhere) < 2 * len(POWERS):
-            raise InvalidInput(f"point: only {len(everywhere)} nodes near it, too few for a fit")
+            raise InvalidInput.conflict(
+                "point", f"only {len(everywhere)} nodes near it, too few for a fit"
+            )
         x, y = everywhere.T
         powers = np.stack([x**i * y**j for i, j in POWERS], axis=1)
         rows = np.linalg.pinv(powers)
@@ -102,7 +104,9 @@ class Surface:
             raise self._beside(offset, self.point + fitted[0, 0] * self.normal)
         tilt = np.degrees(np.arctan(np.hypot(fitted[1, 0], fitted[0, 1])))
         if tilt > 2.0:
-            raise InvalidInput(f"normal: {tilt:.1f} degrees off that of the surface at the point")
+            raise InvalidInput.conflict(
+                "normal", f"{tilt:.1f} degrees off that of the surface at the point"
+            )
         second = [[2 * fitted[2, 0], fitted[1, 1]], [fitted[1, 1], 2 * fitted[0, 2]]]
         bends = np.linalg.eigvalsh(-np.array(second))
         bends = np.where(np.abs(bends) * self.edge < 1e-4, 0.0, bends)
@@ -144,7 +148,7 @@ class Surface:
     def _beside(self, distance: float, nearest: Vector) -> InvalidInput:
         place = ",".join(f"{self.length * x:.6g}" for x in nearest)
         hint = " (is the unit right? --unit mm)" if distance > 2.0 else ""
-        return InvalidInput(
-            f"point: {self.length * distance:.3g} m beside the surface, nearest is {place} m; "
-            f"the body measures {2 * self.length:.3g} m from corner to corner{hint}"
+        return InvalidInput.conflict(
+            "point",
+            f"{self.length * distance:.3g} m beside the surface, nearest is {place} m; the body measures {2 * self.length:.3g} m from corner to corner{hint}",
         )

@@ -55,11 +55,13 @@ def instant(field: Field, frame: int | None) -> Instant:
     count = int(np.prod(shape))
     if min(field.x.shape[-2:]) < 2:
         points = " x ".join(str(n) for n in field.x.shape[-2:])
-        raise InvalidInput(f"field: got {points} points, allowed at least 2 radii and 2 angles")
+        raise InvalidInput.out_of_range(
+            "field", f"{points} points", "at least 2 radii and 2 angles"
+        )
     if frame is None:
         if count != 1:
             hint = f" (say which, as in frame={count // 2})" if count else ""
-            raise InvalidInput(f"field: got {count} times, allowed one{hint}")
+            raise InvalidInput.out_of_range("field", f"{count} times", f"one{hint}")
         frame = 0
     k = integer("frame", frame)
     if not -count <= k < count:

@@ -36,7 +36,9 @@ def oblique_ledger(result: ObliqueImpact | ObliqueRestitution, ax: Axes | None =
     entries = {name: np.asarray(share) for name, share in result.energy.entries().items()}
     shape = entries["translation"].shape
     if len(shape) > 1 or 0 in shape:
-        raise InvalidInput(f"result: got shape {shape}, allowed one impact or a row of them (select one, as result[0])")
+        raise InvalidInput.out_of_range(
+            "result", f"shape {shape}", "one impact or a row of them", "select one, as result[0]"
+        )
     least = LEAST if not shape else THIN
     kept = {NAMES[name]: share for name, share in entries.items() if np.nanmax(np.abs(share), initial=0.0) > least}
     if not shape:

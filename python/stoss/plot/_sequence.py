@@ -46,7 +46,7 @@ def sequence(
         raise refusal("columns", columns, f"1 to {LARGEST}")
     chosen = default_times(impact, count) if times is None else numbers("times", times).ravel()
     if not 1 <= chosen.size <= LARGEST:
-        raise InvalidInput(f"times: got {chosen.size} of them, allowed 1 to {LARGEST}")
+        raise InvalidInput.out_of_range("times", f"{chosen.size} of them", f"1 to {LARGEST}")
     fields = _disk.all_fields(impact, chosen, radius=_disk.GRID_RADIUS, angle=_disk.GRID_ANGLE)
 
     # The picture is turned: along the wall is to the right, away from it is up.

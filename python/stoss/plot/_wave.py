@@ -48,9 +48,9 @@ def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float |
         raise refusal("limit", limit, "a speed above 0 (of the impact)")
     times, centers = np.ravel(wave.time), np.ravel(wave.center)
     if not 1 <= times.size <= LARGEST:
-        raise InvalidInput(f"wave: got {times.size} times, allowed 1 to {LARGEST}")
+        raise InvalidInput.out_of_range("wave", f"{times.size} times", f"1 to {LARGEST}")
     if min(wave.normal.shape[-2:]) < 2:
-        raise InvalidInput("wave: got one depth or distance, allowed at least 2 of each")
+        raise InvalidInput.out_of_range("wave", "one depth or distance", "at least 2 of each")
     impact, shape = wave.impact, (times.size, wave.depth.size, wave.distance.size)
     lateral, normal = wave.lateral.reshape(shape), wave.normal.reshape(shape)
     speed = np.hypot(wave.lateral_velocity, wave.normal_velocity).reshape(shape) / impact.speed

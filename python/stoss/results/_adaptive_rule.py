@@ -62,7 +62,9 @@ def collision_rule(
         ranges["ratio"] = numbers("ratio", ratio)
     for name, ends in ranges.items():
         if ends.shape != (2,):
-            raise InvalidInput(f"{name}: got an array of shape {ends.shape}, allowed two numbers, smallest and largest")
+            raise InvalidInput.out_of_range(
+                name, f"an array of shape {ends.shape}", "two numbers, smallest and largest"
+            )
     outside = choice("beyond", beyond, ("error", "clamp"))
     rubbing = None if friction is None else number("friction", friction)
     limits, count = (number("error", error), number("tolerance", tolerance)), integer("threads", threads)

@@ -203,7 +203,7 @@ def _choose_spectrum(
     """The modes that vibrate with their mean energies, as the core takes them, read-only."""
     if (temperature is None) == (spectrum is None):
         got = "neither" if spectrum is None else "temperature and spectrum"
-        raise InvalidInput(f"temperature: got {got}, allowed one of temperature and spectrum")
+        raise InvalidInput.out_of_range("temperature", got, "one of temperature and spectrum")
     if temperature is not None or callable(spectrum):
         modes = _core.thermal(contact, 0.0 if temperature is None else temperature, highest)
     else:

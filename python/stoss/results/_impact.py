@@ -110,7 +110,7 @@ def impact(
     if kept is not None and not isinstance(met, ExponentialWall):
         hint = "elsewhere the compliance of the other modes counts"
         got = f"a selection of modes and {met!r}"
-        raise InvalidInput(f"keep: got {got}, allowed only with a stoss.ExponentialWall ({hint})")
+        raise InvalidInput.out_of_range("keep", got, "only with a stoss.ExponentialWall", hint)
     with speeds_in_si(chosen), waiting(boolean("progress", progress), "impact"):
         result = Impact._made(chosen, met, initial, at, answer, resolution, kept, state)
     warn_of_materials(result, 2)

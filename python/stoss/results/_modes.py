@@ -61,7 +61,9 @@ class Modes(ModeQuantities, RowResult):
         order, index = integer("order", order), integer("index", index)
         found = np.flatnonzero((self.order == order) & (self.index == index))
         if found.size == 0:
-            raise InvalidInput(f"mode: got (n, l) = ({order}, {index}), allowed those up to the cutoff {self.cutoff:g}")
+            raise InvalidInput.out_of_range(
+                "mode", f"(n, l) = ({order}, {index})", f"those up to the cutoff {self.cutoff:g}"
+            )
         return int(found[0])
 
     @documented

@@ -150,7 +150,7 @@ class ObliqueImpact(ObliqueImpactQuantities, Oblique):
         """
         rows = integer("every", every)
         if rows < 1:
-            raise InvalidInput(f"every: got {rows}, allowed 1 or more (steps between two rows)")
+            raise InvalidInput.out_of_range("every", rows, "1 or more", "steps between two rows")
         size = (200.0 + 50.0 * self.nodes) * (self.steps // rows + 2)
         require_memory("every", f"{rows} for {self.steps} steps", size, "give a larger one")
         table, others = self._handle.trajectory(self._contact(), rows)
@@ -230,7 +230,9 @@ def oblique_impact(
     motion = choose_motion(chosen, **given, kept=1)
     if motion[0].shape:
         name, several = next((each, np.size(value)) for each, value in given.items() if np.shape(value))
-        raise InvalidInput(f"{name}: got {several} of them, allowed one impact (use stoss.oblique for several)")
+        raise InvalidInput.out_of_range(
+            name, f"{several} of them", "one impact", "use stoss.oblique for several"
+        )
     highest = choose_cutoff(cutoff, chosen, met, float(motion[0]))
     count = None if nodes is None else integer("nodes", nodes)
     resolution = optional_number("step", step), count, optional_number("half_width", half_width)

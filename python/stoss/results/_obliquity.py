@@ -88,6 +88,6 @@ def _along(tangential: Any, angle: Any, speeds: NDArray[np.float64], unit: float
     if angle is None:
         return numbers("tangential", 0.0 if tangential is None else tangential) / unit
     if tangential is not None:
-        raise InvalidInput("angle: got tangential and angle, allowed one of them")
+        raise InvalidInput.out_of_range("angle", "tangential and angle", "one of them")
     angles, at = broadcast(angle=numbers("angle", angle), speed=speeds)
     return _core.tangential_at(angles.ravel(), at.ravel()).reshape(angles.shape)

@@ -153,7 +153,9 @@ def pair_table(
     ranges = {"speed": numbers("speed", speed) / speed_unit(chosen), "ratio": numbers("ratio", ratio)}
     for name, ends in ranges.items():
         if ends.shape != (2,):
-            raise InvalidInput(f"{name}: got an array of shape {ends.shape}, allowed two numbers, smallest and largest")
+            raise InvalidInput.out_of_range(
+                name, f"an array of shape {ends.shape}", "two numbers, smallest and largest"
+            )
     outside = choice("beyond", beyond, ("error", "clamp"))
     limit, count = number("error", error), integer("threads", threads)
     with speeds_in_si(chosen), waiting(boolean("progress", progress), "pair_table"):

@@ -67,7 +67,9 @@ def predict(
     ball: Any = instance("body", body, BODIES)
     met = _choose_met(ball, against)
     if (speed is None) == (height is None):
-        raise InvalidInput(f"speed: got {'neither' if speed is None else 'speed and height'}, allowed one of them")
+        raise InvalidInput.out_of_range(
+            "speed", "neither" if speed is None else "speed and height", "one of them"
+        )
     speeds = numbers("speed", speed) if height is None else _speeds_of_drops(numbers("height", height))
     work, known = optional_number("adhesion", adhesion), _choose_uncertainties(uncertainties)
     limit, count = number("tolerance", tolerance), integer("threads", threads)

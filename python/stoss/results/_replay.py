@@ -51,7 +51,7 @@ def trajectory(self: ComputedImpact, *, every: int = 1) -> Trajectory:
     """
     rows = integer("every", every)
     if rows < 1:
-        raise InvalidInput(f"every: got {rows}, allowed 1 or more (steps between two rows)")
+        raise InvalidInput.out_of_range("every", rows, "1 or more", "steps between two rows")
     size = 72.0 * (self.steps // rows + 2)
     require_memory("every", f"{rows} for {self.steps} steps", size, "give a larger one")
     return Trajectory(impact=self, **columns(self._handle.trajectory(self._contact(), rows)))
@@ -156,16 +156,18 @@ def field(
     """
     if not isinstance(self.body, (Disk, Sphere)):
         hint = "a stoss.Disk or a stoss.Sphere (a rod has no field)"
-        raise InvalidInput(f"body: got {self.body!r}, allowed {hint}")
+        raise InvalidInput.out_of_range("body", repr(self.body), hint)
     number, pair = integer("of", of), isinstance(self.against, BODIES)
     if number not in ((0, 1) if pair else (0,)):
         other = getattr(self.against, "_kind", "wall")
         hint = "0 or 1" if pair else f"0 (a {other} has no field)"
-        raise InvalidInput(f"of: got {number}, allowed {hint}")
+        raise InvalidInput.out_of_range("of", number, hint)
     inside = self.body if number == 0 else self.against
     assert isinstance(inside, (Disk, Sphere))
     if is_rigid(inside):
-        raise InvalidInput(f"body: got {inside!r}, allowed an elastic one (a rigid one has no field)")
+        raise InvalidInput.out_of_range(
+            "body", repr(inside), "an elastic one", "a rigid one has no field"
+        )
     times = numbers("time", time)
     radii = np.linspace(0.0, 1.0, 41) if radius is None else numbers("radius", radius).ravel()
     angles = _around() if angle is None else numbers("angle", angle).ravel()
@@ -223,8 +225,8 @@ def wave(
         True
     """
     if not isinstance(self.against, UNBOUNDED):
-        raise InvalidInput(
-            f"against: got {self.against!r}, allowed a stoss.HalfSpace, HalfPlane, Plate or Strip"
+        raise InvalidInput.out_of_range(
+            "against", repr(self.against), "a stoss.HalfSpace, HalfPlane, Plate or Strip"
         )
     chosen = self.contact_time * np.array([0.4, 0.8, 1.2, 1.6]) if time is None else time
     times = numbers("time", chosen)

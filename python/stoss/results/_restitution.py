@@ -115,12 +115,14 @@ class Restitution(RestitutionQuantities, MayYield):
         if body is None and np.unique(self.poisson).size == 1 and len(self.bodies) == 1:
             body = self.bodies[0]
         if body is None or isinstance(against, str):
-            raise InvalidInput(f"function: got {len(self.bodies)} bodies, allowed one (take a part of the result, [0])")
+            raise InvalidInput.out_of_range(
+                "function", f"{len(self.bodies)} bodies", "one", "take a part of the result, [0]"
+            )
         doubtful = int(np.size(self.converged) - np.count_nonzero(self.converged))
         if doubtful:
-            hint = "allowed those that have (see .converged, .reason; or take a part, curve[curve.converged])"
             got = f"{doubtful} of {np.size(self.speed)} values that have not converged"
-            raise InvalidInput(f"function: got {got}, {hint}")
+            hint = "see .converged, .reason; or take a part, curve[curve.converged]"
+            raise InvalidInput.out_of_range("function", got, "those that have", hint)
         order = np.argsort(np.ravel(self.speed), kind="stable")
         curve = (np.ravel(each)[order] for each in (self.speed, self.restitution, self.restitution_error))
         outside = choose_beyond(beyond, body, against, self.state)

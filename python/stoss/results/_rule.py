@@ -210,7 +210,7 @@ class CollisionRule(SpeedInSi):
         radii = numbers("radius", radius) / unit, numbers("second_radius", second) / unit
         for name, each in zip(("radius", "second_radius"), radii):
             if not np.all(each > 0):
-                raise InvalidInput(f"{name}: got {np.min(each):g}, allowed positive ones")
+                raise InvalidInput.out_of_range(name, f"{np.min(each):g}", "positive ones")
         return radii
 
     def _of(self, speed: Any, sliding: Any, friction: Any, ratio: Any) -> tuple[Array, float]:

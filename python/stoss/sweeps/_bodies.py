@@ -90,7 +90,9 @@ def _read(store: str, digest: str) -> ModalBody:
     except (FileNotFoundError, UnicodeDecodeError):
         text = ""
     if _hash(text) != digest:
-        raise InvalidInput(f"store: got a missing or damaged '{path}', allowed the body that the grid names")
+        raise InvalidInput.out_of_range(
+            "store", f"a missing or damaged '{path}'", "the body that the grid names"
+        )
     return ModalBody.from_dict(of_json(text))
 
 

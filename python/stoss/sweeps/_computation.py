@@ -176,9 +176,9 @@ def choose_computation(given: Mapping[str, Any]) -> Computation:
     """What these arguments of a grid ask for; those that were left out are None."""
     said = {name for name, value in given.items() if value is not None}
     if {"friction", "temperature"} <= said:
-        raise InvalidInput("friction: got friction and temperature, allowed one of them")
+        raise InvalidInput.out_of_range("friction", "friction and temperature", "one of them")
     if {"angle", "tangential"} <= said:
-        raise InvalidInput("angle: got angle and tangential, allowed one of them")
+        raise InvalidInput.out_of_range("angle", "angle and tangential", "one of them")
     chosen = kind_of(["sample" if name == "temperature" else name for name in said])
     needs = dict.fromkeys(ALONG, "friction") | dict.fromkeys(("samples", *Ensemble.usual), "temperature")
     for name in sorted(said):

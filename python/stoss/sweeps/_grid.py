@@ -108,7 +108,9 @@ class Grid:
         self.bodies: tuple[Body, ...] = tuple(_first(each) for each in _specifications("bodies", first))
         self.against: tuple[Specification, ...] = tuple(_specifications("against", second))
         if len({body.material is None for body in self.bodies}) > 1:
-            raise InvalidInput("bodies: got some with a material, allowed all or none (speeds are in m/s or in c)")
+            raise InvalidInput.out_of_range(
+                "bodies", "some with a material", "all or none", "speeds are in m/s or in c"
+            )
         self._cases = tuple(self._found())
         self._check()
 
@@ -177,7 +179,7 @@ class Grid:
             try:
                 given = tomllib.load(stream)
             except (ValueError, RecursionError) as error:  # also of integers with thousands of digits
-                raise InvalidInput(f"grid: got '{os.fspath(path)}', allowed TOML ({error})") from None
+                raise InvalidInput.out_of_range("grid", f"'{os.fspath(path)}'", "TOML", error) from None
         folder = os.path.dirname(os.fspath(path))
         beside = {name: with_folder(given[name], folder) for name in ("bodies", "against") if name in given}
         return cls.from_dict({**given, **beside})
@@ -193,7 +195,9 @@ class Grid:
         seen: set[str] = set()
         for case in self._cases:
             if case.key in seen:
-                raise InvalidInput(f"grid: got {case.body!r} against {case.against!r} twice, allowed once")
+                raise InvalidInput.out_of_range(
+                    "grid", f"{case.body!r} against {case.against!r} twice", "once"
+                )
             seen.add(case.key)
             # `refinable` refuses ratios out of range.
             self.computation.check(case.body, refinable(case.body, case.against), tuple(self.axes.values()))
@@ -223,12 +227,14 @@ def _require_moderate(bodies: int, partners: int, lengths: Mapping[str, int]) ->
     for got, name, most in ((cases, "cases", MOST_CASES), (values, "values", MOST_VALUES)):
         if got > most:
             of = ", ".join([f"{bodies} bodies, {partners} partners", *(f"{n} {each}s" for each, n in lengths.items())])
-            raise InvalidInput(f"grid: got {got} {name} ({of}), allowed {most} (make several grids of it)")
+            raise InvalidInput.out_of_range(
+                "grid", f"{got} {name} ({of})", most, "make several grids of it"
+            )
 
 
 def _specifications(name: str, several: list[tuple[Any, Choices]]) -> Iterator[Specification]:
     if _count(several) == 0:
-        raise InvalidInput(f"{name}: got none, allowed at least one (the grid is empty)")
+        raise InvalidInput.out_of_range(name, "none", "at least one", "the grid is empty")
     for each, left in several:
         yield from expanded(name, each, left)
 
@@ -237,9 +243,9 @@ def _axis(name: str, given: Any) -> NDArray[np.float64]:
     """The numbers along an axis, each once."""
     values = numbers(name, _core.series(name, given) if isinstance(given, str) else given).ravel()
     if values.size == 0:
-        raise InvalidInput(f"{name}: got none, allowed at least one (the grid is empty)")
+        raise InvalidInput.out_of_range(name, "none", "at least one", "the grid is empty")
     each, count = np.unique(values[~np.isnan(values)], return_counts=True)
     if np.any(count > 1):
-        raise InvalidInput(f"{name}: got {each[count > 1].tolist()[0]!r} twice, allowed once")
+        raise InvalidInput.out_of_range(name, f"{each[count > 1].tolist()[0]!r} twice", "once")
     values.flags.writeable = False
     return values

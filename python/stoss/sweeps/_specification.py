@@ -101,7 +101,7 @@ def _material(name: str, given: Any) -> Material:
         try:
             return materials[given]
         except InvalidInput as error:
-            raise InvalidInput(f"{name}: {error}") from None
+            raise error.renamed(f"{name}: {error.name}") from None
     known = {"young", "poisson", "density", "yield_strength", "loss_time", "surface_energy", "quality"}
     if not isinstance(given, Mapping) or not {"young", "poisson", "density"} <= set(given) <= known:
         raise refusal(f"{name}: material", given, "a name of stoss.materials, or young, poisson and density")

@@ -50,7 +50,9 @@ def create(store: str | os.PathLike[str], grid: Grid) -> Path:
     short, documents = without_documents(grid.to_dict())
     if not (path / GRID).exists():
         if any(path.glob("*.csv")):
-            raise InvalidInput(f"store: got '{path}', which has CSV files but no {GRID}, allowed a store or a new name")
+            raise InvalidInput.out_of_range(
+                "store", f"'{path}', which has CSV files but no {GRID}", "a store or a new name"
+            )
         keep(documents, path)
         descriptor, temporary = tempfile.mkstemp(dir=path, prefix=".grid-", text=True)
         try:
@@ -73,8 +75,12 @@ def _require_same(path: Path, short: dict[str, Any]) -> None:
         return
     if names := list(changed(short, there)):
         hint = "its file has changed; another body needs another store"
-        raise InvalidInput(f"store: got '{path}' of other numbers of body '{names[0]}', allowed the same ({hint})")
-    raise InvalidInput(f"store: got '{path}' of another grid, allowed one of this grid (another needs another store)")
+        raise InvalidInput.out_of_range(
+            "store", f"'{path}' of other numbers of body '{names[0]}'", "the same", hint
+        )
+    raise InvalidInput.out_of_range(
+        "store", f"'{path}' of another grid", "one of this grid", "another needs another store"
+    )
 
 
 def read_grid(path: Path) -> Grid:
@@ -90,11 +96,15 @@ def _inputs(path: Path) -> dict[str, Any]:
     """Those of the grid, as its file has them. Refuses what would be waited for: a FIFO among the files."""
     for file in (path / GRID, *sorted(path.glob("*.csv"))):
         if file.exists() and not file.is_file():
-            raise InvalidInput(f"store: got '{file}', which is no regular file, allowed the files of a sweep")
+            raise InvalidInput.out_of_range(
+                "store", f"'{file}', which is no regular file", "the files of a sweep"
+            )
     try:
         found = of_json((path / GRID).read_text(encoding="utf-8"))
     except (FileNotFoundError, NotADirectoryError):
-        raise InvalidInput(f"store: got '{path}', allowed the directory of a sweep, with its {GRID}") from None
+        raise InvalidInput.out_of_range(
+            "store", f"'{path}'", f"the directory of a sweep, with its {GRID}"
+        ) from None
     except (ValueError, RecursionError) as error:
         raise _damaged(path, error) from None
     if not isinstance(found, dict):
@@ -105,7 +115,9 @@ def _inputs(path: Path) -> dict[str, Any]:
 
 
 def _damaged(path: Path, error: object) -> InvalidInput:
-    return InvalidInput(f"store: got a damaged '{path / GRID}', allowed that of a sweep ({error})")
+    return InvalidInput.out_of_range(
+        "store", f"a damaged '{path / GRID}'", "that of a sweep", error
+    )
 
 
 def read(path: Path, grid: Grid, mix: bool = False) -> Found:
@@ -127,8 +139,9 @@ def read(path: Path, grid: Grid, mix: bool = False) -> Found:
             except KeyError:
                 if mix:
                     continue
-                hint = "allowed those of the grid"
-                raise InvalidInput(f"store: got inputs in '{file}' that are not in its grid, {hint}") from None
+                raise InvalidInput.out_of_range(
+                    "store", f"inputs in '{file}' that are not in its grid", "those of the grid"
+                ) from None
             _put(found, place, each, file)
     return found
 
@@ -143,7 +156,9 @@ def _put(found: Found, place: tuple[int, ...], new: Stored, file: Path) -> None:
         found.rows[place], found.version[place] = new.row, number
     elif before == number and not _agree(found.rows[place], new.row, found.rows.dtype.names or ()):
         point = ", ".join(map(repr, new.point))
-        raise InvalidInput(f"store: got another value of case {new.key}, at {point} in '{file}', allowed one")
+        raise InvalidInput.out_of_range(
+            "store", f"another value of case {new.key}, at {point} in '{file}'", "one"
+        )
 
 
 def _agree(one: Any, row: tuple[Any, ...], names: tuple[str, ...]) -> bool:

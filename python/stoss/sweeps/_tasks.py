@@ -95,7 +95,9 @@ def _fill(
     body = make("body", resolved(inputs["body"], path))
     against = choose_against(body, beside(resolved(inputs["against"], path), body), (HardWall,))
     if case_of((0, 0), body, against, computation.accuracy).key != key:
-        raise InvalidInput(f"grid: got another case {key} of a worker, allowed the same (all must have the same stoss)")
+        raise InvalidInput.out_of_range(
+            "grid", f"another case {key} of a worker", "the same", "all must have the same stoss"
+        )
     rows = np.zeros(len(points), dtype=computation.row)
     names = computation.row.names or ()
     picked, done = [names.index(name) for name in computation.columns], 0

@@ -76,7 +76,9 @@ class Worker:
         if self._size == 0:
             self._write(f"{origin.decode('ascii')}{self._layout.header}\n")
         elif os.pread(self._descriptor, len(origin), 0) != origin:
-            raise InvalidInput(f"store: got '{self.file}', allowed a file of stoss {_core.version} (use another store)")
+            raise InvalidInput.out_of_range(
+                "store", f"'{self.file}'", f"a file of stoss {_core.version}", "use another store"
+            )
         elif self._size == len(origin):  # killed between two lines of the header
             self._write(f"{self._layout.header}\n")
         elif (
@@ -84,7 +86,9 @@ class Worker:
             == f"{self._layout.unchecked}\n"
         ):
             hint = "it can be merged; to go on, use another store"
-            raise InvalidInput(f"store: got '{self.file}' without checksums, allowed one with them ({hint})")
+            raise InvalidInput.out_of_range(
+                "store", f"'{self.file}' without checksums", "one with them", hint
+            )
 
     def _last_line_end(self, size: int) -> int:
         """Where the last whole line ends."""

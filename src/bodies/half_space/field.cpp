@@ -29,7 +29,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 Medium medium_of(double poisson, const Body& body) {
   validate(body);
   const auto refuse = [&] {
-    throw InvalidInput("body: got '" + body.name + "', allowed the elastic half-space or half-plane of this poisson");
+    throw InvalidInput::out_of_range("body", "'" + body.name + "'",
+                                     "the elastic half-space or half-plane of this poisson");
   };
   if (!is_unbounded(body) || body.groups.empty()) refuse();
   Medium its = medium(body.contour, poisson);

@@ -75,8 +75,9 @@ Body made(const Solid& given, double cutoff, double duration, Direction directio
   const double loss_time = given.own_loss_time(), highest = kept_cutoff(cutoff, loss_time);
   const double most = cutoff_of_count(medium, most_waves, duration);
   if (highest > most) {
-    throw InvalidInput("cutoff: got " + rounded(cutoff) + " of a half-space for contacts of " + rounded(duration) +
-                       " in its own time, allowed a smaller product (more waves than are computed)");
+    throw InvalidInput::out_of_range(
+        "cutoff", rounded(cutoff) + " of a half-space for contacts of " + rounded(duration) + " in its own time",
+        "a smaller product", "more waves than are computed");
   }
   Body body = unbounded_body(medium, cutoff, loss_time, duration);
   body.name = name_of(given);

@@ -22,7 +22,7 @@ constexpr double rounding = 1e-6;  // of the depths of a face
 void require_places(const std::string& name, const std::vector<double>& places) {
   require(name + " count", static_cast<long>(places.size()), static_cast<long>(fewest), 1'000'000, "for a parabola");
   if (std::adjacent_find(places.begin(), places.end(), std::greater_equal<>()) != places.end()) {
-    throw InvalidInput(name + ": got places that do not ascend, allowed ascending ones (sort them)");
+    throw InvalidInput::out_of_range(name, "places that do not ascend", "ascending ones", "sort them");
   }
 }
 

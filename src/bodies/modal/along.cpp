@@ -44,19 +44,21 @@ bool is_one_with_next(const ModalBody& its, std::size_t i) {
 /// The share of all up to any mode counts: of modes close to each other one takes back what the other does.
 void require_apart(const ModalBody& its) {
   if (!its.tangent) {
-    throw InvalidInput("friction: got '" + its.name +
-                       "' without tangential data, allowed a body with them: its tangent, and the tangential "
-                       "displacement of its modes (or leave friction out, or take 0)");
+    throw InvalidInput::out_of_range("friction", "'" + its.name + "' without tangential data",
+                                     "a body with them: its tangent, and the tangential displacement of its modes",
+                                     "or leave friction out, or take 0");
   }
   const double unit = rigid_mobility(its);
   double sum = its.tangent->cross;
   const auto require_share = [&](const std::string& what) {
     const double share = std::abs(sum) / unit;
     if (share <= most_shared) return;
-    throw InvalidInput("friction: got '" + its.name + "' whose " + what +
-                       " moves the point along the normal and along the surface at once, by a share of " +
-                       shown(std::round(1000.0 * share) / 1000.0) + ", allowed up to " + shown(most_shared) +
-                       " (take a point, or a direction, of its symmetry)");
+    throw InvalidInput::out_of_range(
+        "friction",
+        "'" + its.name + "' whose " + what +
+            " moves the point along the normal and along the surface at once, by a share of " +
+            shown(std::round(1000.0 * share) / 1000.0),
+        "up to " + shown(most_shared), "take a point, or a direction, of its symmetry");
   };
   require_share("turning");
   for (std::size_t i = 0; i < its.modes.size() && its.modes[i].omega <= its.complete_to; ++i) {

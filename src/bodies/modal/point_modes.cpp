@@ -40,8 +40,8 @@ void require_modes(const ModalBody& body) {
     require(name + "tangential bend", mode.tangential_bend, finite, "of the displacement along the surface");
     require(name + "tangential displacement error", mode.tangential_error, not_negative, "of the mode");
     if (mode.omega < last) {
-      throw InvalidInput(name + "frequency: got " + shown(mode.omega) + " after " + shown(last) +
-                         ", allowed modes in rising order");
+      throw InvalidInput::out_of_range(name + "frequency", shown(mode.omega) + " after " + shown(last),
+                                       "modes in rising order");
     }
     last = mode.omega;
     if (mode.omega <= body.complete_to) sum += mode.displacement * mode.displacement;
@@ -50,9 +50,11 @@ void require_modes(const ModalBody& body) {
   constexpr double share = 0.1, enough = 30.0;
   const double expected = expected_sum(body, body.complete_to);
   if (expected * body.mass > enough && sum < share * expected) {
-    throw InvalidInput("modes: got " + std::to_string(body.modes.size()) + " with " + rounded(sum) +
-                       " as the sum of their squared displacements, allowed about " + rounded(expected) +
-                       " up to complete_to (modes are missing, or are not normalised to unit modal mass)");
+    throw InvalidInput::out_of_range(
+        "modes",
+        std::to_string(body.modes.size()) + " with " + rounded(sum) + " as the sum of their squared displacements",
+        "about " + rounded(expected) + " up to complete_to",
+        "modes are missing, or are not normalised to unit modal mass");
   }
 }
 
@@ -61,8 +63,8 @@ void require_tangent(const PointTangent& its) {
   require("tangential inertia", its.inertia, not_negative, "of the body as friction turns it; 0: it does not turn");
   require("tangential arm", its.arm, not_negative, "from the centre of mass to the point; 0: it does not turn");
   if ((its.inertia > 0.0) != (its.arm > 0.0)) {
-    throw InvalidInput("tangential arm: got " + shown(its.arm) + " with inertia " + shown(its.inertia) +
-                       ", allowed both above 0, or both 0 (it does not turn)");
+    throw InvalidInput::out_of_range("tangential arm", shown(its.arm) + " with inertia " + shown(its.inertia),
+                                     "both above 0, or both 0", "it does not turn");
   }
   require("tangential cross", its.cross, finite, "by which the normal force turns the point along the surface");
   require("tangential compliance", its.compliance, finite, "c_t at the point");

@@ -27,7 +27,7 @@ namespace stoss::bodies::plate {
 namespace {
 
 void refuse(const Given& given, const Body& body) {
-  throw InvalidInput("body: got '" + body.name + "', allowed the elastic " + name_of(given));
+  throw InvalidInput::out_of_range("body", "'" + body.name + "'", "the elastic " + name_of(given));
 }
 
 /// The waves of the surface of a body in both directions, which are of these wave numbers.

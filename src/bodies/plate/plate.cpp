@@ -83,9 +83,10 @@ Body of_branches(const Given& given, double cutoff, double duration, const Poll&
   const double loss_time = given.own_loss_time(), highest = kept_cutoff(cutoff, loss_time);
   const double most = std::min(cutoff_of_count(plate, most_waves, duration), most_turns / duration);
   if (highest > most) {
-    throw InvalidInput("cutoff: got " + rounded(cutoff) + " of a " + given.kind() + " for contacts of " +
-                       rounded(duration) +
-                       " in its own time, allowed a smaller product (more waves than are computed)");
+    throw InvalidInput::out_of_range(
+        "cutoff",
+        rounded(cutoff) + " of a " + given.kind() + " for contacts of " + rounded(duration) + " in its own time",
+        "a smaller product", "more waves than are computed");
   }
   const double poisson = given.layers.front().poisson;
   const auto modes = std::make_shared<const Modes>(

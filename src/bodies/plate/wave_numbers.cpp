@@ -88,9 +88,9 @@ std::vector<WaveNumber> wave_numbers(const Lamina& plate, double cutoff, double 
   double count = 0.0;
   for (const Panel& panel : ranges) count += nodes_of(panel);
   if (!(count < most)) {
-    throw InvalidInput("cutoff: got " + shown(cutoff) + " of a plate for contacts of " + shown(duration) +
-                       " in its own time, allowed a lower one, or layers that are less unlike (more waves than are "
-                       "computed)");
+    throw InvalidInput::out_of_range(
+        "cutoff", shown(cutoff) + " of a plate for contacts of " + shown(duration) + " in its own time",
+        "a lower one, or layers that are less unlike", "more waves than are computed");
   }
   std::vector<WaveNumber> all;
   for (const Panel& panel : ranges) {

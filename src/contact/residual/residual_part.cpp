@@ -62,7 +62,8 @@ std::vector<double> residual_of(const Contact& contact, const ContactGrid& grid,
     if (number == 1) turn_around(points.count, values, matrix);
     return matrix;
   }
-  throw InvalidInput("body: got a residual of '" + body.name + "' of another size, allowed points x points values");
+  throw InvalidInput::out_of_range("body", "a residual of '" + body.name + "' of another size",
+                                   "points x points values");
 }
 
 std::vector<ResidualPart> residual_parts(const Contact& contact, const ContactGrid& grid, const Poll& poll) {

@@ -91,8 +91,8 @@ void ObliqueFrame::require(const Obliquity& obliquity) const {
     if (inertia[k] > 0.0) {
       stoss::require(name, spin * radius[k], along, "of the body, times its radius in that of the first, in c");
     } else if (spin != 0.0) {
-      throw InvalidInput(std::string(name) +
-                         ": got one that is not 0, allowed only 0 (there is no such body, or it does not turn)");
+      throw InvalidInput::out_of_range(std::string(name), "one that is not 0", "only 0",
+                                       "there is no such body, or it does not turn");
     }
   }
 }

@@ -28,7 +28,7 @@ constexpr int levels_of_a_point = 6;
 constexpr int lowest_of_a_point = -40;
 
 [[noreturn]] void refuse_missing_body() {
-  throw InvalidInput("body: got no function that makes it, allowed one, such as disk(poisson)");
+  throw InvalidInput::out_of_range("body", "no function that makes it", "one, such as disk(poisson)");
 }
 
 }  // namespace
@@ -50,7 +50,8 @@ RefinableContact::RefinableContact(BodyMaker body) : ladder_(std::make_shared<La
 RefinableContact::RefinableContact(BodyMaker first, BodyMaker second) : ladder_(std::make_shared<Ladder>()) {
   if (!first) refuse_missing_body();
   ladder_->body = std::move(first);
-  if (!second) throw InvalidInput("against: got no function that makes the body, allowed one, such as disk(poisson)");
+  if (!second)
+    throw InvalidInput::out_of_range("against", "no function that makes the body", "one, such as disk(poisson)");
   const Pair& pair = ladder_->pair.emplace(pair_of(ladder_->body, second));
   ladder_->unit = 1.0 / time_scale(pair.probe);
   const double most = pair_cutoff(pair) / ladder_->unit;
@@ -168,8 +169,8 @@ Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, 
     try {
       return pair_contact(pair, cutoff, stretch, poll);
     } catch (const InvalidInput& error) {  // of a lossy one, in its own units
-      if (std::string_view(error.what()).substr(0, 7) != "cutoff:") throw;
-      throw InvalidInput("cutoff: got " + shown(cutoff) + ", allowed a lower one (" + std::string(why) + ")");
+      if (error.name() != "cutoff") throw;
+      throw InvalidInput::out_of_range("cutoff", shown(cutoff), "a lower one", std::string(why));
     }
   }
   const double most = pair_cutoff(pair);

@@ -28,19 +28,19 @@ void require_options(const AxisRange& speeds, const RuleTableOptions& options) {
 void require_friction(bool mixing, const AxisRange& speeds, const RuleTableOptions& options) {
   if (!mixing) {
     if (!options.friction) return;
-    throw InvalidInput("friction: got " + shown(*options.friction) +
-                       ", allowed none (one table of these bodies serves any friction)");
+    throw InvalidInput::out_of_range("friction", shown(*options.friction), "none",
+                                     "one table of these bodies serves any friction");
   }
   if (!options.friction) {
-    throw InvalidInput(
-        "friction: missing, above 0 to 5 (motion along the surface changes the restitution of these bodies, "
-        "so a table is of one friction)");
+    throw InvalidInput::missing(
+        "friction", "above 0 to 5",
+        "motion along the surface changes the restitution of these bodies, so a table is of one friction");
   }
   require("friction", *options.friction, {0.0, 5.0, false, true, "above 0 to 5"}, "coefficient of Coulomb's law");
   const double most = (1.0 - gross_slip) / (1.0 + gross_slip) / *options.friction;
   if (speeds.high > most) {
-    throw InvalidInput("speed: got up to " + shown(speeds.high) + " c, allowed up to " + shown_most(most) +
-                       " c (1/9 of c over the friction: beyond, nothing slides throughout below c)");
+    throw InvalidInput::out_of_range("speed", "up to " + shown(speeds.high) + " c", "up to " + shown_most(most) + " c",
+                                     "1/9 of c over the friction: beyond, nothing slides throughout below c");
   }
 }
 

@@ -40,8 +40,9 @@ Vector direction(const Vector& normal) {
   double greatest = 0.0;
   for (const double each : normal) greatest = std::max(greatest, std::isfinite(each) ? std::abs(each) : HUGE_VAL);
   if (!(greatest > 0.0) || !std::isfinite(greatest)) {
-    throw InvalidInput("normal: got (" + shown(normal[0]) + ", " + shown(normal[1]) + ", " + shown(normal[2]) +
-                       "), allowed finite numbers that are not all 0");
+    throw InvalidInput::out_of_range("normal",
+                                     "(" + shown(normal[0]) + ", " + shown(normal[1]) + ", " + shown(normal[2]) + ")",
+                                     "finite numbers that are not all 0");
   }
   Vector n{normal[0] / greatest, normal[1] / greatest, normal[2] / greatest};
   const double length = std::sqrt(dot(n, n));
@@ -53,8 +54,8 @@ void require_motion(const MovingBody<3>& body) {
   const auto require = [](const char* name, std::initializer_list<double> values, bool positive) {
     for (const double value : values) {
       if (std::isfinite(value) && (!positive || value >= 0.0)) continue;
-      throw InvalidInput(std::string(name) + ": got " + shown(value) + ", allowed " +
-                         (positive ? "a finite number, 0 or more" : "finite numbers"));
+      throw InvalidInput::out_of_range(std::string(name), shown(value),
+                                       (positive ? "a finite number, 0 or more" : "finite numbers"));
     }
   };
   require("inverse_mass", {body.inverse_mass}, true);

@@ -129,7 +129,7 @@ Rule RuleTable::unchecked(double speed, double sliding, double friction, double 
 
 Rule RuleTable::operator()(double speed, double sliding, double friction, double ratio) const {
   const auto refuse = [](const char* name, double got, const std::string& allowed) {
-    return InvalidInput(std::string(name) + ": got " + shown(got) + ", allowed " + allowed);
+    return InvalidInput::out_of_range(std::string(name), shown(got), allowed);
   };
   if (!std::isfinite(speed)) throw refuse("speed", speed, "a finite speed of approach");
   if (!std::isfinite(sliding)) throw refuse("sliding", sliding, "a finite velocity");

@@ -13,12 +13,13 @@ std::string two_column(const RuleTable& rule, double speed, double error) {
   constexpr double least = 1.01;  // of the error of the rule, to leave something for the chords
   constexpr int points = 32;      // at which a chord is looked at
   if (rule.values().sliding.ratios.size() > 1) {
-    throw InvalidInput("ratio: a mixture of sizes cannot be written as two columns (give one pair of bodies)");
+    throw InvalidInput::conflict("ratio", "a mixture of sizes cannot be written as two columns",
+                                 "give one pair of bodies");
   }
   const double allowed = least * rule.greatest_sliding_error();
   if (!(error >= allowed) || !std::isfinite(error)) {
-    throw InvalidInput("error: got " + shown(error) + ", allowed " + shown(allowed) +
-                       " or more (1.01 of the maximum error of the rule)");
+    throw InvalidInput::out_of_range("error", shown(error), shown(allowed) + " or more",
+                                     "1.01 of the maximum error of the rule");
   }
   const double friction = rule.values().friction.value_or(1.0), limit = friction * speed;
   const auto after = [&](double w) { return rule(speed, w * limit, friction).sliding_after / limit; };

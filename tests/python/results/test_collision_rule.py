@@ -222,7 +222,7 @@ def test_says_what_cannot_be(rule):
         refuse("^velocity: got", lambda: rule.collide(v, w, n, [0, bad, 0], friction=0.3))
         refuse("^spin: got", lambda: rule.collide(v, [0, bad, 0], n, friction=0.3))
         refuse("^friction: got", lambda: rule.collide(v, w, n, friction=bad))
-        refuse(r"^friction: .*\(collision 1, counted from 0\)", lambda: rule.collide(v, w, n, friction=[0.3, bad]))
+        refuse(r"^collision 1 friction: ", lambda: rule.collide(v, w, n, friction=[0.3, bad]))
     refuse("^normal: got .0, 0, 0.,", lambda: rule.collide(v, w, [0, 0, 0], friction=0.3))
     refuse("^normal: got .0, 0, 0.,", lambda: rule.collide(v[:2], 0.1, [0, 0], friction=0.3))
     refuse("^normal: .*collision 1,", lambda: rule.collide(v, w, [[1, 0, 0], [0, 0, 0]], friction=0.3))

@@ -1,6 +1,6 @@
 // One worker with the calls that wait for it. A call that is aborted ends soon; a worker that dies is replaced.
 import type { CompiledCore } from 'stoss';
-import { type Call, CoreError, type Deliver } from './protocol';
+import { type Call, CoreError, type Deliver, type Refusal } from './protocol';
 
 /** The first message is the compiled core; then one call after another. */
 export type ToWorker = { module: CompiledCore } | { call: Call };
@@ -11,7 +11,7 @@ export type FromWorker =
   | { kind: 'delivered'; value: unknown; index: number }
   | { kind: 'answer'; value: unknown }
   /** one line: what the core cannot do */
-  | { kind: 'refusal'; line: string }
+  | { kind: 'refusal'; line: string; refusal?: Refusal }
   /** the worker is of no further use */
   | { kind: 'broken'; line: string };
 
@@ -90,7 +90,7 @@ export function createLane(spawn: () => Fellow, module: CompiledCore): Lane {
     } else {
       current = undefined;
       if (message.kind === 'answer') resolve(message.value);
-      else reject(new CoreError(message.line));
+      else reject(new CoreError(message.line, message.refusal));
       next();
     }
   }

@@ -1,7 +1,7 @@
 // What the page asks of the core, which runs in a worker: what the package (web/package) asks and answers, in full.
 import type * as stoss from 'stoss';
 
-export { CoreError, type Deliver } from 'stoss';
+export { CoreError, type Deliver, type Refusal } from 'stoss';
 export type {
   AnglePoint, BodyFrame, Channel, Collision, Course, CurvePoint, Elastic, Encounter, Frame, Grid, ModeEnergy, ObliqueCollision,
   Prediction, Quantities, Quantity, Restitution, Shape, Thresholds, Units,

@@ -20,7 +20,7 @@ addEventListener('message', async ({ data }: MessageEvent<ToWorker>) => {
       post({ kind: 'answer', value: ask(question, given, deliver) });
     }
   } catch (error) {
-    if (error instanceof CoreError) post({ kind: 'refusal', line: error.message });
+    if (error instanceof CoreError) post({ kind: 'refusal', line: error.message, refusal: error.refusal });
     else post({ kind: 'broken', line: String(error) });
   }
 });

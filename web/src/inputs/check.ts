@@ -19,8 +19,8 @@ export function parseNumber(name: string, text: string): Parsed {
     return { problem: `${name}: got “${brief(typed)}”, write it with a point: ${brief(typed.replace(',', '.'))}` };
   }
   let value = 0;
-  const problem = refusal(() => (value = numberOf(name, typed) || 0)); // not −0
-  return problem === '' ? { value } : { problem };
+  const refused = refusal(() => (value = numberOf(name, typed) || 0)); // not −0
+  return refused ? { problem: refused.message } : { value };
 }
 
 /** The beginning of what may be long. */
@@ -56,13 +56,13 @@ export function problemsOf(inputs: Inputs): Map<Field, string> {
 /** What is wrong first with how they meet; undefined if nothing. */
 export function motionProblem(inputs: Impact): [keyof Motion, string] | undefined {
   const { encounter, speed } = inputs;
-  const line = refusal(() => requireSpeed(encounter, speed)) ||
-    (isOblique(inputs) ? refusal(() => requireMotion(encounter, motionOf(inputs))) : '');
-  if (line === '') return undefined;
-  const name = /^\w+/.exec(line)?.[0] ?? '';
+  const refused = refusal(() => requireSpeed(encounter, speed)) ??
+    (isOblique(inputs) ? refusal(() => requireMotion(encounter, motionOf(inputs))) : undefined);
+  if (refused === undefined) return undefined;
+  const name = nameIn(refused);
   const aliases: Record<string, keyof Motion> = { tangential: 'angle', second_spin: 'spin2' };
   const field = aliases[name] ?? (name as keyof Motion);
-  return [field, problemOf(encounter, field, line)];
+  return [field, problemOf(encounter, field, refused)];
 }
 
 /** An encounter that the core takes, and what of the given one it refuses, by field. It names one number at a time: the
@@ -71,14 +71,14 @@ export function repaired(encounter: Encounter): { encounter: Encounter; problems
   const problems = new Map<Field, string>();
   const usual = standard(encounter);
   let right = encounter;
-  for (let line = refusal(() => unitsOf(right)); line !== ''; line = refusal(() => unitsOf(right))) {
-    const field = fieldOf(right, line);
+  for (let refused = refusal(() => unitsOf(right)); refused; refused = refusal(() => unitsOf(right))) {
+    const field = fieldOf(right, refused);
     if (field !== undefined && !problems.has(field)) {
-      problems.set(field, problemOf(right, field, line));
+      problems.set(field, problemOf(right, field, refused));
       right = withValue(right, field, valueOf({ ...defaults, encounter: usual }, field));
       continue;
     }
-    if (field === undefined) problems.set('speed', line);
+    if (field === undefined) problems.set('speed', refused.message);
     right = right.against === usual.against ? usual : { ...right, against: usual.against! };
   }
   return { encounter: right, problems };
@@ -90,34 +90,38 @@ function standard(encounter: Encounter): Encounter {
   return encounterOf(its, its.si ? ball : unitBody, its.si ? its.first.body : unitBody);
 }
 
-/** The line with which the core refuses what it is asked; '' if it does not. */
-export function refusal(ask: () => unknown): string {
+/** With what the core refuses what it is asked; undefined if it does not. */
+export function refusal(ask: () => unknown): CoreError | undefined {
   try {
     ask();
-    return '';
+    return undefined;
   } catch (error) {
-    if (error instanceof CoreError) return error.message;
+    if (error instanceof CoreError) return error;
     throw error;
   }
 }
 
+/** The name of the input that is refused; '' of what failed otherwise. */
+const nameIn = (refused: CoreError): string => refused.refusal?.name ?? '';
+
 /** What a refusal is about: the number that it names, or the size of a second body that does not go with the first. */
-function fieldOf(encounter: Encounter, line: string): PlacedField | undefined {
-  const [, second, name] = /^(against )?(\w+)/.exec(line) ?? [];
-  const own = name === 'loss' ? 'loss_time' : name;
+function fieldOf(encounter: Encounter, refused: CoreError): PlacedField | undefined {
+  const words = nameIn(refused).split(' ');
+  const second = words[0] === 'against' || words.at(-1) === 'ratio';
+  const name = words[words[0] === 'against' && words.length > 1 ? 1 : 0]!;
   const size = sizeOf(meetingOf(encounter).kind);
-  const aliases: Record<string, BodyField> = { transit: size, impedance: 'area', against: size };
-  const field = aliases[own ?? ''] ?? (own as BodyField);
-  const ratio = /^[\w ]+ ratio:/.test(line) || line.startsWith('against');
-  const wanted = second || ratio ? ofSecond(field) : field;
+  const aliases: Record<string, BodyField> = { transit: size, impedance: 'area', against: size, loss: 'loss_time' };
+  const field = aliases[name] ?? (name as BodyField);
+  const wanted = second ? ofSecond(field) : field;
   return placedFieldsOf(encounter).includes(wanted) ? wanted : undefined;
 }
 
 /** A refusal with the page's name for the number, and no more digits than a reader needs. */
-function problemOf(encounter: Encounter, field: Field, line: string): string {
-  const [subject = '', ...rest] = line.split(':');
-  const hint = subject.endsWith('ratio') ? `, ${subject}` : '';
-  const short = rest.join(':').replace(/\d+\.\d{6,}(e-?\d+)?|\d+(\.\d+)?e-0\d/g, (number) => significant(Number(number), 6));
+function problemOf(encounter: Encounter, field: Field, refused: CoreError): string {
+  const name = nameIn(refused);
+  const hint = name.endsWith('ratio') ? `, ${name}` : '';
+  const short = refused.message.slice(name.length + 1)
+    .replace(/\d+\.\d{6,}(e-?\d+)?|\d+(\.\d+)?e-0\d/g, (number) => significant(Number(number), 6));
   return `${fullName(encounter, field)}${hint}:${short}`;
 }
 

@@ -186,7 +186,7 @@ export function createControls(initial: Inputs, listener: Listener) {
     if (!chosen) return;
     const problem = find('file-problem', HTMLElement);
     const text = await chosen.text();
-    problem.textContent = refusal(() => take(withFile(inputs, id === 'file2', openFile(chosen.name, text)), true));
+    problem.textContent = refusal(() => take(withFile(inputs, id === 'file2', openFile(chosen.name, text)), true))?.message ?? '';
     problem.hidden = problem.textContent === '';
   }
 

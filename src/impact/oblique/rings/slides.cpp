@@ -32,9 +32,10 @@ using Values = std::vector<double>;
 Contact contact_along(const Contact& contact, const Poll& poll) {
   std::vector<Contact> along = contacts_along(contact, poll);
   if (along.size() == 1) return std::move(along.front());
-  throw InvalidInput("slides: got '" + name(contact) +
-                     "', allowed bodies whose motions along the normal and along the surface do not act on each other, "
-                     "as spheres (compute each oblique impact by itself)");
+  throw InvalidInput::out_of_range(
+      "slides", "'" + name(contact) + "'",
+      "bodies whose motions along the normal and along the surface do not act on each other, as spheres",
+      "compute each oblique impact by itself");
 }
 
 ResidualMotion::Inertia inertia_of(Tail tail) {

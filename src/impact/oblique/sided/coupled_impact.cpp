@@ -58,7 +58,8 @@ ObliqueImpact coupled_impact(const Contact& contact, const std::vector<Contact>&
                              const ObliqueObservation& observation) {
   FixedResolution resolution = fixed_resolution(contact, speed, options.resolution);
   if (resolution.tail != Tail::radiating) {
-    throw InvalidInput("tail: got the static one with friction, allowed the radiating one (friction flutters on it)");
+    throw InvalidInput::out_of_range("tail", "the static one with friction", "the radiating one",
+                                     "friction flutters on it");
   }
   if (options.start) require_start(*options.start, speed);
   const ObliqueFrame frame(contact, speed, options);

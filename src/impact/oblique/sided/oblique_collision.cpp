@@ -59,7 +59,7 @@ ObliqueCollision::ObliqueCollision(const Contact& contact, const std::vector<Con
                      : start_before(first_kick(contact), range_, touch_, frame_.speed * step_));
   respond();
   if (rigid_.force() > 0.0) {
-    throw InvalidInput("start: the body already touches the wall (move its center back)");
+    throw InvalidInput::conflict("start", "the body already touches the wall", "move its center back");
   }
   even_.modes.begin();
   odd_.modes.begin();
