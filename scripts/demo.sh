@@ -11,8 +11,8 @@ for poisson in 0.33 0.9; do
   echo
   echo "Restitution of an elastic disk against a hard wall, Poisson's ratio $poisson (speeds in c, times in R/c)"
   echo
-  "$stoss" restitution --poisson "$poisson" --speed "$speeds"
-  "$stoss" restitution --poisson "$poisson" --speed "$speeds" --format csv -o "$file"
+  "$stoss" restitution --body disk --poisson "$poisson" --speed "$speeds"
+  "$stoss" restitution --body disk --poisson "$poisson" --speed "$speeds" --format csv -o "$file"
   echo
   echo "Written with all digits to $file"
 done

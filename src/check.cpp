@@ -1,4 +1,5 @@
 #include "check.hpp"
+#include "ranges.hpp"
 
 #include <cmath>
 #include <limits>
@@ -61,9 +62,7 @@ void require_poisson(double poisson) {
           "2-D Poisson's ratio, plane stress; for plane strain pass nu/(1-nu) of the material");
 }
 
-void require_speed(double speed) {
-  require("speed", speed, {1e-8, 1.0, true, true, "1e-8 to 1"}, "speed of approach, in units of c");
-}
+void require_speed(double speed) { require("speed", speed, ranges::speed, "speed of approach, in units of c"); }
 
 void require_loss_time(double loss_time) {
   require("loss_time", loss_time, {0.0, 1e5, true, true, "0 to 100000"},
@@ -71,8 +70,8 @@ void require_loss_time(double loss_time) {
 }
 
 void require_tolerance(double tolerance, double absolute) {
-  require("tolerance", tolerance, {1e-15, 0.5, true, true, "1e-15 to 0.5"}, "relative error of 1 - eps^2");
-  require("absolute", absolute, {0.0, 0.5, true, true, "0 to 0.5"}, "error of 1 - eps^2 that is small enough");
+  require("tolerance", tolerance, ranges::tolerance, "relative error of 1 - eps^2");
+  require("absolute", absolute, ranges::absolute, "error of 1 - eps^2 that is small enough");
 }
 
 std::string shown(double value) {

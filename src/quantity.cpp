@@ -12,14 +12,15 @@ struct Names {
 };
 
 // In the order of Dimension.
-constexpr std::array<Names, 8> names{{{"", {"", "", "", "", "", ""}},
+constexpr std::array<Names, 9> names{{{"", {"", "", "", "", "", ""}},
                                       {"length", {"R", "L", "m", "m", "R", "m"}},
                                       {"inverse length", {"1/R", "1/L", "1/m", "1/m", "1/R", "1/m"}},
                                       {"time", {"R/c", "L/c", "s", "s", "R/c", "s"}},
                                       {"speed", {"c", "c", "m/s", "m/s", "c", "m/s"}},
                                       {"frequency", {"c/R", "c/L", "rad/s", "rad/s", "c/R", "rad/s"}},
                                       {"force", {"piRE", "EA", "N/m", "N", "mc^2/R", "N"}},
-                                      {"energy", {"mc^2", "mc^2", "J/m", "J", "mc^2", "J"}}}};
+                                      {"energy", {"mc^2", "mc^2", "J/m", "J", "mc^2", "J"}},
+                                      {"acceleration", {"c^2/R", "c^2/L", "m/s^2", "m/s^2", "c^2/R", "m/s^2"}}}};
 
 const Names& of(Dimension dimension) { return names.at(static_cast<std::size_t>(dimension)); }
 
@@ -47,6 +48,8 @@ double unit_in_si(Dimension dimension, const Scales& scales) {
       return scales.force;
     case Dimension::energy:
       return scales.force * scales.length;
+    case Dimension::acceleration:
+      return scales.speed / scales.time;
     case Dimension::none:
       break;
   }

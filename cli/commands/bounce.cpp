@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app.hpp"
+#include "input/approach.hpp"
 #include "input/encounter.hpp"
 #include "output/output_options.hpp"
 #include "output/progress.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 struct BounceArguments {
   EncounterOptions who;
-  std::string speed;
+  ApproachOptions approach;
   int count = 100;
   std::optional<double> flight_time, gravity, decay_time;
   std::string tail = "radiating";
@@ -27,27 +28,25 @@ struct BounceArguments {
   CLI::App* command = nullptr;
 };
 
-/// As the core takes them; with a material they are in s and m/s².
 BounceOptions make_options(const BounceArguments& arguments, const Encounter& encounter, const Units& units) {
-  const auto in = [](const std::optional<double>& value, double unit) {
-    return value ? std::optional(*value / unit) : std::nullopt;
+  const auto own = [&](const char* name, const std::optional<double>& value) {
+    return value ? std::optional(own_value(Question::bounce, name, *value, units)) : std::nullopt;
   };
-  const double time = units.si ? units.si->time : 1.0, acceleration = units.si ? units.si->speed / time : 1.0;
   return {.count = arguments.count,
-          .flight_time = in(arguments.flight_time, time),
-          .gravity = in(arguments.gravity, acceleration),
-          .decay_time = in(arguments.decay_time, time),
+          .flight_time = own("flight_time", arguments.flight_time),
+          .gravity = own("gravity", arguments.gravity),
+          .decay_time = own("decay_time", arguments.decay_time),
           .resolution = {.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating},
           .vibration = encounter.vibration,
           .poll = waiting(arguments.output, "bounces")};
 }
 
-Provenance describe(const BounceArguments& arguments, const Encounter& encounter, double speed) {
+Provenance describe(const BounceArguments& arguments, const Encounter& encounter) {
   Provenance provenance{"bounce", command_line(), {}};
   auto& inputs = provenance.inputs;
   const bool si = units_of(encounter).si.has_value();
   cli::describe(encounter, inputs);
-  inputs["speed"] = speed;
+  arguments.approach.describe(units_of(encounter), inputs);
   if (arguments.flight_time) inputs[si ? "flight_time[s]" : "flight_time"] = *arguments.flight_time;
   if (arguments.gravity) inputs[si ? "gravity[m/s^2]" : "gravity"] = *arguments.gravity;
   if (arguments.decay_time) inputs[si ? "decay_time[s]" : "decay_time"] = *arguments.decay_time;
@@ -74,7 +73,7 @@ void run(const BounceArguments& asked_for) {
   const Encounter encounter = arguments.who.encounter();
   refuse_tail(*arguments.command, encounter);
   const Units units = units_of(encounter);
-  const double first = parse_speed(arguments.speed, units, "that of the first impact");
+  const double first = arguments.approach.one(units, "that of the first impact");
   const double slowest = slowest_bounce(first);
   catch_interrupts();
   const BounceOptions options = make_options(arguments, encounter, units);
@@ -90,7 +89,7 @@ void run(const BounceArguments& asked_for) {
   double strain = 0.0;  // greatest that is beyond what is small
   long short_flights = 0;
   const OutputOptions& output = arguments.output;
-  Writer writer = output.writer(describe(arguments, encounter, first), columns);
+  Writer writer = output.writer(describe(arguments, encounter), columns);
   writer.finish_after([&] {
     bounce(contact, first, options, [&](const Bounce& bounce, const Impact&) {
       Row row = its.row(bounce);
@@ -111,15 +110,10 @@ void run(const BounceArguments& asked_for) {
 
 void add_flight(CLI::App& command, BounceArguments& arguments) {
   const std::string group = "Flight (one of flight-time, gravity)";
-  add(command, "--count", arguments.count, "Impacts, 1 or more (default: 100)", "N", group);
-  add(command, "--flight-time", arguments.flight_time,
-      "Time between leaving the wall and touching it, in R/c (with a\nmaterial: s)", "T", group);
-  add(command, "--gravity", arguments.gravity, "Acceleration g in c^2/R (with a material: m/s^2): a flight lasts 2v/g",
-      "G", group);
-  add(command, "--decay-time", arguments.decay_time,
-      "In flight vibrational energies fall as exp(-t/TAU); in R/c (with a\n"
-      "material: s), 0: at once (default: no decay)",
-      "TAU", group);
+  add_input(command, Question::bounce, "count", arguments.count, group);
+  add_input(command, Question::bounce, "flight_time", arguments.flight_time, group);
+  add_input(command, Question::bounce, "gravity", arguments.gravity, group);
+  add_input(command, Question::bounce, "decay_time", arguments.decay_time, group);
 }
 
 }  // namespace
@@ -129,22 +123,19 @@ void add_bounce(CLI::App& app) {
       app, "bounce", "Impacts of a body that comes back with the vibration it has kept", run,
       "Examples:\n"
       "  stoss bounce --body sphere --poisson 0.3 --speed 0.05 --count 200 --flight-time 30\n"
-      "  stoss bounce --poisson 0.33 --speed 0.2 --count 5000 --flight-time 31.4 --tail static --cutoff 4\n"
+      "  stoss bounce --body disk --poisson 0.33 --speed 0.2 --count 5000 --flight-time 31.4 --tail static --cutoff 4\n"
       "  stoss bounce --body sphere --poisson 0.3 --speed 0.05 --flight-time 30 --decay-time 100\n"
       "  stoss bounce --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --speed 1\n"
       "      --gravity 9.81 --loss-time 1e-9 --count 20");
   CLI::App& command = *arguments.command;
   arguments.who.first.add_poisson_to(command);
-  add(command, "--speed", arguments.speed,
-      "Speed of the first impact, 1e-8 to 1 in c of the body (with a\nmaterial: m/s)", "V", "Body")
-      ->required();
+  arguments.approach.add_to(command, Question::bounce, "Motion");
   arguments.who.add_to(command, true, "\nA second body that is free does not come back: it is refused");
   add_modes_to(command, arguments.who.modes);
   add_flight(command, arguments);
   add_choice(command, "--tail", arguments.tail, {"radiating", "static"},
              "How modes above the cutoff answer (default: radiating); static keeps\nall energy", "TAIL", "Resolution");
-  add(command, "--cutoff", arguments.cutoff,
-      "Modes up to this frequency in c/R are kept (default: 20, or less as of stoss impact)", "OMEGA", "Resolution");
+  add_input(command, Question::bounce, "cutoff", arguments.cutoff, "Resolution");
   arguments.output.add_to(command);
 }
 

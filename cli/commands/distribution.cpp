@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app.hpp"
+#include "input/approach.hpp"
 #include "input/encounter.hpp"
 #include "output/progress.hpp"
 #include "output/row_run.hpp"
@@ -23,7 +24,7 @@ namespace {
 struct DistributionArguments {
   EncounterOptions who;
   SpectrumArguments spectrum;
-  std::string speed;
+  ApproachOptions approach;
   int samples = 1000;
   int seed = 0;
   double error = 1e-3;
@@ -44,7 +45,7 @@ struct Ensemble {
 Ensemble make_ensemble(DistributionArguments& arguments, const Encounter& encounter) {
   refuse_soft(encounter);
   const Units units = units_of(encounter);
-  const double speed = parse_speed(arguments.speed, units);
+  const double speed = arguments.approach.one(units);
   RefinableContact contact = refinable(encounter);
   const Poll poll = waiting(arguments.rows.output, "modes that vibrate");
   Spectrum spectrum = arguments.spectrum.spectrum(contact, poll);
@@ -67,8 +68,7 @@ Provenance describe(const DistributionArguments& arguments, const Encounter& enc
   Provenance provenance{"distribution", command_line(), {}};
   auto& inputs = provenance.inputs;
   cli::describe(encounter, inputs);
-  const auto& si = ensemble.units.si;
-  inputs[si ? "speed[m/s]" : "speed"] = parse_series("speed", arguments.speed).front();
+  arguments.approach.describe(ensemble.units, inputs);
   arguments.spectrum.describe(inputs);
   inputs["modes"] = ensemble.spectrum.size();
   inputs["samples"] = arguments.samples;
@@ -186,11 +186,9 @@ void run(const DistributionArguments& asked) {
 
 void add_ensemble(CLI::App& command, DistributionArguments& arguments) {
   arguments.spectrum.add_to(command);
-  add(command, "--samples", arguments.samples, "How many impacts, 1 to 1e6 (default: 1000)", "N", "Ensemble");
-  add(command, "--seed", arguments.seed, "Another seed, another ensemble: 0 to 2147483647 (default: 0)", "SEED",
-      "Ensemble");
-  add(command, "--error", arguments.error, "Error of 1-eps^2 of each to reach, 1e-9 to 0.5 (default: 0.001)", "ERROR",
-      "Resolution");
+  add_input(command, Question::distribution, "samples", arguments.samples, "Ensemble");
+  add_input(command, Question::distribution, "seed", arguments.seed, "Ensemble");
+  add_input(command, Question::distribution, "error", arguments.error, "Resolution");
   add_threads(command, arguments.threads);
 }
 
@@ -204,12 +202,10 @@ void add_distribution(CLI::App& app) {
       "  stoss distribution --body sphere --poisson 0.3 --speed 0.01 --temperature 0.01 --highest 20\n"
       "      --samples 1e4 --resume samples.csv\n"
       "  stoss distribution --body rod --speed 0.1 --against rod,length=2.5 --temperature 0.02 --error 0.02\n"
-      "  stoss distribution --poisson 0.33 --speed 0.1 --spectrum 2,0,energy=0.1 --format json");
+      "  stoss distribution --body disk --poisson 0.33 --speed 0.1 --spectrum 2,0,energy=0.1 --format json");
   CLI::App& command = *arguments.command;
   arguments.who.first.add_poisson_to(command);
-  add(command, "--speed", arguments.speed, "Speed of approach, 1e-8 to 1 in c of the body (with a material: m/s)", "V",
-      "Body")
-      ->required();
+  arguments.approach.add_to(command, Question::distribution, "Motion");
   arguments.who.add_to(command);
   add_ensemble(command, arguments);
   arguments.rows.add_to(command);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "app.hpp"
+#include "input/approach.hpp"
 #include "input/encounter.hpp"
 #include "process/process.hpp"
 #include "process/text.hpp"
@@ -14,7 +15,8 @@ namespace {
 
 struct FitArguments {
   EncounterOptions who;
-  std::string law, speed, program, output;
+  ApproachOptions approach;
+  std::string law, program, output;
   double friction = 0.0;
   int threads = 0;
   CLI::App* command = nullptr;
@@ -27,23 +29,14 @@ void run(const FitArguments& arguments) {
     throw InvalidInput::out_of_range("body", fmt::format("{}", encounter.first.kind), "sphere",
                                      "laws are those of balls");
   }
-  const std::vector<std::string> ends = split(arguments.speed, ':');
-  if (ends.size() != 2) {
-    throw InvalidInput::out_of_range("speed", fmt::format("'{}'", arguments.speed), "SLOWEST:FASTEST, as in 0.01:1");
-  }
-  const std::vector<double> typed = parse_series("speed", ends[0] + "," + ends[1]);
-  if (const auto speeds = parse_speeds(ends[0] + "," + ends[1], units_of(encounter));
-      speeds.size() != 2 || speeds[0] >= speeds[1]) {
-    throw InvalidInput::out_of_range("speed", fmt::format("'{}'", arguments.speed),
-                                     "a slowest speed below the fastest");
-  }
+  const auto [slowest, fastest] = arguments.approach.ends(units_of(encounter)).typed;
   std::vector<std::string> words{"fit",
                                  "--law=" + arguments.law,
                                  fmt::format("--friction={}", arguments.friction),
                                  "--threads",
                                  fmt::format("{}", arguments.threads),
                                  "--speed"};
-  for (const double speed : typed) words.push_back(fmt::format("{}", speed));
+  for (const double speed : {slowest, fastest}) words.push_back(fmt::format("{}", speed));
   if (!arguments.program.empty()) words.push_back("--program=" + arguments.program);
   if (!arguments.output.empty()) words.push_back("--output=" + arguments.output);
   words.insert(words.end(), {"--", to_json(encounter)});
@@ -74,11 +67,8 @@ void add_fit(CLI::App& app) {
              "  table:         rows of speed and eps",
              "NAME", "Law")
       ->required();
-  add(command, "--speed", arguments.speed,
-      "Range of the speed of approach, SLOWEST:FASTEST, within 1e-8 to 1 in c\nof the body (with a material: m/s)",
-      "RANGE", "Law")
-      ->required();
-  add(command, "--friction", arguments.friction, "Coefficient of Coulomb's law, 0 to 5 (default: 0)", "MU", "Law");
+  arguments.approach.add_to(command, Question::fit, "Law");
+  add_input(command, Question::fit, "friction", arguments.friction, "Law");
   arguments.who.add_to(command);
   add_choice(command, "--program", arguments.program,
              {"lammps", "liggghts", "yade", "mercurydpm", "chrono", "mujoco", "acutrace", "aspherix"},

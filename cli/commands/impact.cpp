@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app.hpp"
+#include "input/approach.hpp"
 #include "input/encounter.hpp"
 #include "output/output_options.hpp"
 #include "output/progress.hpp"
@@ -19,7 +20,7 @@ namespace {
 
 struct ImpactArguments {
   EncounterOptions who;
-  std::string speed;
+  ApproachOptions approach;
   std::string tail = "radiating";
   double cutoff = 0.0;
   Resolution resolution;
@@ -125,7 +126,7 @@ void run(const ImpactArguments& asked_for) {
   const Encounter encounter = arguments.who.encounter();
   refuse_tail(*arguments.command, encounter);
   check_trajectory(arguments);
-  const double speed = parse_speed(arguments.speed, units_of(encounter), "stoss restitution takes lists");
+  const double speed = arguments.approach.one(units_of(encounter), "stoss restitution takes lists");
   catch_interrupts();
   ImpactOptions options{.resolution = arguments.resolution, .poll = waiting(arguments.output, "impact")};
   options.resolution.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
@@ -164,29 +165,23 @@ void add_impact(CLI::App& app) {
   auto& arguments = add_subcommand<ImpactArguments>(
       app, "impact", "One impact at a fixed resolution, with its energy ledger", run,
       "Examples:\n"
-      "  stoss impact --poisson 0.33 --speed 0.1 --trajectory t.csv --every 4\n"
-      "  stoss impact --poisson 0.33 --speed 0.2 --against disk,radius=2\n"
-      "  stoss impact --poisson 0.33 --speed 0.1 --against exponential,hardness=300\n"
+      "  stoss impact --body disk --poisson 0.33 --speed 0.1 --trajectory t.csv --every 4\n"
+      "  stoss impact --body disk --poisson 0.33 --speed 0.2 --against disk,radius=2\n"
+      "  stoss impact --body disk --poisson 0.33 --speed 0.1 --against exponential,hardness=300\n"
       "  stoss impact --body sphere --poisson 0.3 --speed 0.1 --against sphere,radius=2,young=4\n"
       "  stoss impact --body sphere --poisson 0.3 --speed 0.1 --against half-space --cutoff 12\n"
       "  stoss impact --body sphere --poisson 0.3 --speed 0.01 --mode 2,0,energy=0.1,phase=2");
   CLI::App& command = *arguments.command;
   arguments.who.first.add_poisson_to(command);
-  add(command, "--speed", arguments.speed, "Speed of approach, 1e-8 to 1 in c of the body (with a material: m/s)", "V",
-      "Body")
-      ->required();
+  arguments.approach.add_to(command, Question::impact, "Motion");
   arguments.who.add_to(command, true);
   add_modes_to(command, arguments.who.modes);
   add_choice(command, "--tail", arguments.tail, {"radiating", "static"},
              "Model of the modes above the cutoff: radiating absorbs energy, static does not (default: radiating)",
              "TAIL", "Against");
-  add(command, "--cutoff", arguments.cutoff,
-      "Modes up to this frequency in c/R are kept (default: 50, or up to which those of a file are known; "
-      "less on a half-space, a plate or a large body, more on a small one)",
-      "OMEGA", "Resolution");
-  add(command, "--step", arguments.resolution.step, "Time step in R/c (default: recommended)", "DT", "Resolution");
-  add(command, "--nodes", arguments.resolution.nodes, "Contact nodes, 16 to 4096 (default: recommended)", "N",
-      "Resolution");
+  add_input(command, Question::impact, "cutoff", arguments.cutoff, "Resolution");
+  add_input(command, Question::impact, "step", arguments.resolution.step, "Resolution");
+  add_input(command, Question::impact, "nodes", arguments.resolution.nodes, "Resolution");
   add(command, "--trajectory", arguments.trajectory,
       "Write time, center, force, energies as CSV to FILE, with a material in SI too", "FILE", "Output");
   add(command, "--every", arguments.every, "With --trajectory: write every K-th step (default: 1)", "K", "Output");

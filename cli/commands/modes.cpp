@@ -73,7 +73,7 @@ void add_modes(CLI::App& app) {
   auto& arguments = add_subcommand<ModesArguments>(
       app, "modes", "Eigenmodes of a free elastic disk or sphere, with edge amplitudes", run,
       "Examples:\n"
-      "  stoss modes --poisson 0.33 --cutoff 30 --format csv -o modes.csv\n"
+      "  stoss modes --body disk --poisson 0.33 --cutoff 30 --format csv -o modes.csv\n"
       "  stoss modes --body sphere --poisson 0.3 --cutoff 12.5");
   CLI::App& command = *arguments.command;
   arguments.body.add_kind_to(command, {"disk", "sphere"});

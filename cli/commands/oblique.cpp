@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "app.hpp"
 #include "commands/oblique_values.hpp"
+#include "input/approach.hpp"
 #include "input/encounter.hpp"
 #include "output/row_run.hpp"
 #include "process/process.hpp"
@@ -22,12 +22,11 @@ namespace {
 struct ObliqueArguments {
   EncounterOptions who;
   double friction = 0.0;
-  std::string speeds;
+  ApproachOptions approach;
   std::string tangentials = "0";
   std::string angles;
   std::string spins = "0";
   std::string second_spins = "0";
-  std::string kinematics = "linear";
   double tolerance = 1e-2;
   int threads = 0;
   RowOptions rows;
@@ -47,12 +46,6 @@ struct Collisions {
   [[nodiscard]] Columns key_columns() const;
   [[nodiscard]] Row key(std::size_t row) const;
 };
-
-void check_kinematics(const std::string& name) {
-  if (name == "linear") return;
-  const char* const why = name == "turning" ? " (that what is elastic turns with the body is not computed)" : "";
-  throw InvalidInput::out_of_range("kinematics", fmt::format("{}", shortened(name)), fmt::format("linear{}", why));
-}
 
 Columns Collisions::key_columns() const {
   Columns columns = speed_columns(units);
@@ -75,21 +68,15 @@ Row Collisions::key(std::size_t row) const {
 
 Collisions make_collisions(const ObliqueArguments& arguments) {
   Collisions made{.encounter = arguments.who.encounter()};
-  made.encounter.friction = arguments.friction;
-  validate(made.encounter);
   refuse_soft(made.encounter);
-  constexpr double any = std::numeric_limits<double>::infinity();  // the core knows the radius of the second body
+  constexpr auto question = Question::oblique;
   const Units& units = made.units;
-  const std::vector<double> speeds = parse_speeds(arguments.speeds, units);
+  const std::vector<double> speeds = arguments.approach.series(units);
   const bool by_angle = arguments.has_angles();
-  const std::vector<double> along = by_angle
-                                        ? parse_series("angle", arguments.angles)
-                                        : parse_series_in("tangential", arguments.tangentials, Dimension::speed, units,
-                                                          {-1.0, 1.0, "velocity along the surface, -1 to 1 c"});
-  const std::vector<double> spins = parse_series_in("spin", arguments.spins, Dimension::frequency, units,
-                                                    {-1.0, 1.0, "spin of the first body, -1 to 1 c/R"});
-  const std::vector<double> second_spins =
-      parse_series_in("second-spin", arguments.second_spins, Dimension::frequency, units, {-any, any, ""});
+  const std::vector<double> along = by_angle ? series_of(question, "angle", arguments.angles, units)
+                                             : series_of(question, "tangential", arguments.tangentials, units);
+  const std::vector<double> spins = series_of(question, "spin", arguments.spins, units);
+  const std::vector<double> second_spins = series_of(question, "second_spin", arguments.second_spins, units);
   const double size = static_cast<double>(speeds.size()) * static_cast<double>(along.size()) *
                       static_cast<double>(spins.size()) * static_cast<double>(second_spins.size());
   if (size > longest_series) {
@@ -102,7 +89,7 @@ Collisions make_collisions(const ObliqueArguments& arguments) {
       const double tangential = by_angle ? tangential_at(motion, speed) : motion;
       for (const double spin : spins) {
         for (const double second_spin : second_spins) {
-          made.cases.push_back({speed, {tangential, spin, second_spin, made.encounter.friction}});
+          made.cases.push_back({speed, {tangential, spin, second_spin, arguments.friction}});
           if (by_angle) made.angles.push_back(motion);
           made.spinning = made.spinning || spin != 0.0;
         }
@@ -117,7 +104,7 @@ Provenance describe(const ObliqueArguments& arguments, const Collisions& collisi
   auto& inputs = provenance.inputs;
   cli::describe(collisions.encounter, inputs);
   const bool in_si = collisions.units.si.has_value();
-  inputs[in_si ? "speed[m/s]" : "speed"] = as_typed(arguments.speeds);
+  arguments.approach.describe(collisions.units, inputs);
   if (arguments.has_angles()) {
     inputs["angle[deg]"] = as_typed(arguments.angles);
   } else {
@@ -126,7 +113,6 @@ Provenance describe(const ObliqueArguments& arguments, const Collisions& collisi
   inputs[in_si ? "spin[rad/s]" : "spin"] = as_typed(arguments.spins);
   inputs[in_si ? "second_spin[rad/s]" : "second_spin"] = as_typed(arguments.second_spins);
   inputs["friction"] = arguments.friction;
-  inputs["kinematics"] = arguments.kinematics;
   inputs["tolerance"] = arguments.tolerance;
   return provenance;
 }
@@ -149,7 +135,6 @@ RowPlan plan_of(const Collisions& collisions, const Columns& results, NeglectedN
 
 void run(const ObliqueArguments& asked) {
   ObliqueArguments arguments = asked;
-  check_kinematics(arguments.kinematics);
   arguments.rows.redirect();
   const Collisions collisions = make_collisions(arguments);
   const RefinableContact contact = refinable(collisions.encounter);
@@ -181,28 +166,13 @@ void run(const ObliqueArguments& asked) {
 }
 
 void add_motion(CLI::App& command, ObliqueArguments& arguments) {
-  add(command, "--speed", arguments.speeds,
-      "Speeds of approach along the normal, 1e-8 to 1 in c of the body (m/s\n"
-      "with a material): a number, a,b,c, log:a:b:n or lin:a:b:n",
-      "SPEEDS", "Motion")
-      ->required();
-  auto* tangential = add(command, "--tangential", arguments.tangentials,
-                         "Velocities of the centre of the body along the surface, relative to\n"
-                         "what it meets, -1 to 1 c (default: 0)",
-                         "SPEEDS", "Motion");
-  add(command, "--angle", arguments.angles,
-      "In place of --tangential: angles between the velocity of the centre and\nthe normal, in degrees", "DEGREES",
-      "Motion")
-      ->excludes(tangential);
-  add(command, "--spin", arguments.spins,
-      "Spins of the body, -1 to 1 c/R (rad/s with a material); positive moves\n"
-      "its foremost point along the surface as --tangential does (default: 0)",
-      "SPINS", "Motion");
-  add(command, "--second-spin", arguments.second_spins,
-      "Spins of the second body, with the same sign of sliding (default: 0)", "SPINS", "Motion");
-  add(command, "--kinematics", arguments.kinematics,
-      "linear: bodies turn, and what is elastic in them keeps its directions\n(default, and the only one)", "NAME",
-      "Motion");
+  constexpr auto question = Question::oblique;
+  arguments.approach.add_to(command, question, "Motion");
+  auto* tangential = add_input(command, question, "tangential", arguments.tangentials, "Motion");
+  add_input(command, question, "angle", arguments.angles, "Motion")->excludes(tangential);
+  add_input(command, question, "spin", arguments.spins, "Motion");
+  add_input(command, question, "second_spin", arguments.second_spins, "Motion");
+  add_input(command, question, "friction", arguments.friction, "Motion");
 }
 
 }  // namespace
@@ -211,7 +181,7 @@ void add_oblique(CLI::App& app) {
   auto& arguments = add_subcommand<ObliqueArguments>(
       app, "oblique", "Collisions at an angle, with spin and friction", run,
       "Examples:\n"
-      "  stoss oblique --poisson 0.33 --speed 0.1 --tangential 0.05 --friction 0.3\n"
+      "  stoss oblique --body disk --poisson 0.33 --speed 0.1 --tangential 0.05 --friction 0.3\n"
       "  stoss oblique --body sphere --poisson 0.3 --speed 0.01 --angle lin:5:85:17 --friction 0.1\n"
       "  stoss oblique --body sphere --poisson 0.3 --speed 0.01 --tangential 0.01 --friction 1\n"
       "      --spin lin:-0.02:0.02:5 --format csv\n"
@@ -221,13 +191,9 @@ void add_oblique(CLI::App& app) {
   CLI::App& command = *arguments.command;
   arguments.who.first.add_poisson_to(command);
   add_motion(command, arguments);
-  add(command, "--friction", arguments.friction, "Coefficient of Coulomb's law, 0 to 5", "MU", "Against")->required();
   arguments.who.add_to(command);
   add_modes_to(command, arguments.who.modes);
-  add(command, "--tolerance", arguments.tolerance,
-      "Error to reach of the velocity at which surfaces slide afterwards, over\n"
-      "that before or, if larger, the friction times the speed, 1e-6 to 0.5\n(default: 0.01)",
-      "TOL", "Resolution");
+  add_input(command, Question::oblique, "tolerance", arguments.tolerance, "Resolution");
   add_threads(command, arguments.threads);
   arguments.rows.add_to(command);
 }

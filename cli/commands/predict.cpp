@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app.hpp"
+#include "input/approach.hpp"
 #include "input/encounter.hpp"
 #include "output/output_options.hpp"
 #include "output/progress.hpp"
@@ -21,7 +22,7 @@ namespace {
 
 struct PredictArguments {
   EncounterOptions who;
-  std::string speeds, heights;
+  ApproachOptions approach;
   std::optional<double> adhesion;
   std::vector<std::string> uncertainties;
   double tolerance = 1e-3;
@@ -29,18 +30,6 @@ struct PredictArguments {
   OutputOptions output;
   CLI::App* command = nullptr;
 };
-
-/// Speeds in m/s, also of falls from heights in m.
-std::vector<double> speeds_of(const PredictArguments& arguments) {
-  if (arguments.speeds.empty() && arguments.heights.empty()) throw CLI::RequiredError("--speed or --height");
-  if (!arguments.speeds.empty()) return parse_series("speed", arguments.speeds);
-  std::vector<double> speeds = parse_series("height", arguments.heights);
-  for (double& each : speeds) {
-    if (!(each > 0.0)) throw InvalidInput::out_of_range("height", fmt::format("{}", each), "above 0", "of a fall, m");
-    each = speed_of_drop(each);
-  }
-  return speeds;
-}
 
 PredictionOptions options_of(const PredictArguments& arguments) {
   PredictionOptions options{.work_of_adhesion = arguments.adhesion,
@@ -65,11 +54,7 @@ Provenance describe(const PredictArguments& arguments, const Encounter& encounte
   Provenance provenance{"predict", command_line(), {}};
   auto& inputs = provenance.inputs;
   cli::describe(encounter, inputs);
-  if (arguments.heights.empty()) {
-    inputs["speed[m/s]"] = as_typed(arguments.speeds);
-  } else {
-    inputs["height[m]"] = as_typed(arguments.heights);
-  }
+  arguments.approach.describe(units_of(encounter), inputs);
   if (arguments.adhesion) inputs["adhesion[J/m^2]"] = *arguments.adhesion;
   for (const std::string& each : arguments.uncertainties) inputs["uncertainty"].push_back(each);
   inputs["tolerance"] = arguments.tolerance;
@@ -120,7 +105,8 @@ std::string influences_of(const std::vector<Prediction>& all) {
 
 void run(const PredictArguments& arguments) {
   const Encounter encounter = arguments.who.encounter();
-  const std::vector<double> speeds = speeds_of(arguments);
+  std::vector<double> speeds = arguments.approach.series(units_of(encounter));
+  for (double& each : speeds) each *= speed_unit(encounter);
   Output output(arguments.output.path);
   catch_interrupts();
   const std::vector<Prediction> all = predict(encounter, speeds, options_of(arguments));
@@ -163,23 +149,15 @@ void add_predict(CLI::App& app) {
       "      --adhesion 0.2 --uncertainty against.loss_time=2");
   CLI::App& command = *arguments.command;
   arguments.who.first.add_poisson_to(command);
-  auto* speed = add(command, "--speed", arguments.speeds,
-                    "Speeds of approach in m/s, 1e-8 to 1 c of the ball: a number, a,b,c,\nlog:a:b:n or lin:a:b:n",
-                    "SPEEDS", "Motion");
-  add(command, "--height", arguments.heights,
-      "In place of --speed: heights in m from which the ball falls, without\nair", "HEIGHTS", "Motion")
-      ->excludes(speed);
+  arguments.approach.add_to(command, Question::predict, "Motion");
   arguments.who.add_to(command);
   const char* const models = "Models";
-  add(command, "--adhesion", arguments.adhesion,
-      "Work of adhesion of both surfaces in J/m^2 (default: that of the\nmaterials, 2 sqrt(gamma_1 gamma_2))", "W",
-      models);
+  add_input(command, Question::predict, "adhesion", arguments.adhesion, models);
   add(command, "--uncertainty", arguments.uncertainties,
       "A constant that is known within a factor of 1 + U, as in young=0.05 or\n"
       "against.yield_strength=0.2; as often as needed (default: those of\nnamed materials)",
       "NAME=U", models);
-  add(command, "--tolerance", arguments.tolerance,
-      "Relative error of 1-eps^2 without models to reach, 1e-15 to 0.5\n(default: 0.001)", "TOL", "Resolution");
+  add_input(command, Question::predict, "tolerance", arguments.tolerance, "Resolution");
   add_threads(command, arguments.threads);
   arguments.output.add_to(command);
 }

@@ -200,9 +200,9 @@ void add_quasistatic(CLI::App& app) {
   auto& arguments = add_subcommand<QuasistaticArguments>(
       app, "quasistatic", "Slow impacts with an estimate of the loss, or static compression", run,
       "Examples:\n"
-      "  stoss quasistatic --poisson 0.33 --speed log:1e-6:0.1:50\n"
-      "  stoss quasistatic --poisson 0.33 --speed 1e-12 --format json\n"
-      "  stoss quasistatic --poisson 0.33 --compression lin:0.001:0.03:20\n"
+      "  stoss quasistatic --body disk --poisson 0.33 --speed log:1e-6:0.1:50\n"
+      "  stoss quasistatic --body disk --poisson 0.33 --speed 1e-12 --format json\n"
+      "  stoss quasistatic --body disk --poisson 0.33 --compression lin:0.001:0.03:20\n"
       "  stoss quasistatic --body sphere --poisson 0.3 --speed log:1e-9:0.01:50\n"
       "Two equal bodies that each move at SPEED towards each other are the same problem.");
   CLI::App& command = *arguments.command;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app.hpp"
+#include "input/approach.hpp"
 #include "input/encounter.hpp"
 #include "output/fields.hpp"
 #include "output/row_run.hpp"
@@ -79,7 +80,7 @@ RowPlan Job::plan(const Columns& results) const {
 struct RestitutionArguments {
   EncounterOptions who;
   std::string poissons;
-  std::string speeds;
+  ApproachOptions approach;
   double tolerance = 1e-3;
   double absolute = 1e-6;
   int threads = 0;
@@ -100,7 +101,7 @@ Job make_job(RestitutionArguments& arguments) {
                                      "a material has only one");
   }
   if (job.units.si) job.poissons = {poisson_of(job.encounter).value_or(0.0)};
-  job.speeds = parse_speeds(arguments.speeds, job.units);
+  job.speeds = arguments.approach.series(job.units);
   if (job.size() > longest_series) {
     throw InvalidInput::out_of_range("speed",
                                      fmt::format("{} speeds for each of {} Poisson's ratios, {} values",
@@ -115,7 +116,7 @@ Provenance describe(const RestitutionArguments& arguments, const Job& job) {
   auto& inputs = provenance.inputs;
   cli::describe(job.encounter, inputs);
   if (!job.units.si && has_poisson(job.encounter.first)) inputs["poisson"] = as_typed(arguments.poissons);
-  inputs[job.units.si ? "speed[m/s]" : "speed"] = as_typed(arguments.speeds);
+  arguments.approach.describe(job.units, inputs);
   inputs["tolerance"] = arguments.tolerance;
   inputs["absolute"] = arguments.absolute;
   return provenance;
@@ -185,12 +186,8 @@ void run(const RestitutionArguments& asked) {
 }
 
 void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
-  add(command, "--tolerance", arguments.tolerance, "Relative error of 1-eps^2 to reach, 1e-15 to 0.5 (default: 0.001)",
-      "TOL", "Resolution");
-  add(command, "--absolute", arguments.absolute,
-      "Absolute error of 1-eps^2 at which to stop, whatever --tolerance says, 0 to 0.5 (default: 1e-6; 0: only the "
-      "tolerance counts)",
-      "ERROR", "Resolution");
+  add_input(command, Question::restitution, "tolerance", arguments.tolerance, "Resolution");
+  add_input(command, Question::restitution, "absolute", arguments.absolute, "Resolution");
   add_threads(command, arguments.threads);
 }
 
@@ -203,7 +200,7 @@ void add_restitution(CLI::App& app) {
       "  stoss restitution --body sphere --poisson 0.3 --speed 0.01\n"
       "  stoss restitution --body sphere --material 'bearing steel' --radius 0.005\n"
       "      --speed 0.01,0.1 --against half-space,material=glass\n"
-      "  stoss restitution --poisson 0.33 --speed log:1e-4:0.3:40 --format csv -o curve.csv\n"
+      "  stoss restitution --body disk --poisson 0.33 --speed log:1e-4:0.3:40 --format csv -o curve.csv\n"
       "  stoss restitution --body sphere --poisson 0.3 --speed 0.01\n"
       "      --against sphere,radius=2,young=4\n"
       "They are a sphere at a wall, a ball in SI, a curve in a file, and two bodies; the manual has more.");
@@ -212,11 +209,7 @@ void add_restitution(CLI::App& app) {
       "Poisson's ratios, -0.95 to 0.995 of a disk, to 0.4999 of a sphere: a number, a,b,c, log:a:b:n or lin:a:b:n. "
       "For disks in SI: of the solid; otherwise the 2-D ratio (see the manual)",
       "NUS", "Body");
-  add(command, "--speed", arguments.speeds,
-      "Speeds of approach, 1e-8 to 1 in c of the body (m/s with a material):\n"
-      "a number, a,b,c, log:a:b:n or lin:a:b:n",
-      "SPEEDS", "Body")
-      ->required();
+  arguments.approach.add_to(command, Question::restitution, "Motion");
   arguments.who.add_to(command);
   add_modes_to(command, arguments.who.modes);
   add_resolution(command, arguments);

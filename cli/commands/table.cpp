@@ -49,34 +49,25 @@ void check_format(const TableArguments& arguments) {
 TableJob make_job(const TableArguments& arguments) {
   Encounter encounter = arguments.who.encounter();
   refuse_soft(encounter);
-  const std::vector<std::string> ends = split(arguments.speed, ':');
+  const Units units = units_of(encounter);
   if (arguments.oblique && arguments.format == "two-column") {
-    if (ends.size() != 1) {
-      throw InvalidInput::out_of_range("speed", fmt::format("'{}'", arguments.speed),
-                                       "one speed for two columns of --oblique");
-    }
+    const ApproachOptions& given = arguments.approach;
+    const double speed = ApproachOptions{Question::restitution, given.speed, given.height}.one(
+        units, "two columns of --oblique are at one speed");
     constexpr double around = 1.01;  // a table has a range
-    const double speed = parse_speed(arguments.speed, units_of(encounter));
-    const std::vector<double> typed = parse_series("speed", arguments.speed);
-    return {std::move(encounter), typed, {std::max(speed / around, 1e-8), std::min(speed * around, 1.0)}};
+    return {std::move(encounter),
+            {speed * (units.si ? units.si->speed : 1.0)},
+            {std::max(speed / around, 1e-8), std::min(speed * around, 1.0)}};
   }
-  if (ends.size() != 2) {
-    throw InvalidInput::out_of_range("speed", fmt::format("'{}'", arguments.speed), "SLOWEST:FASTEST, as in 1e-4:0.3");
-  }
-  const std::string both = ends[0] + "," + ends[1];
-  const std::vector<double> typed = parse_series("speed", both), speeds = parse_speeds(both, units_of(encounter));
-  if (speeds.size() != 2 || speeds[0] >= speeds[1]) {
-    throw InvalidInput::out_of_range("speed", fmt::format("'{}'", arguments.speed),
-                                     "a slowest speed below the fastest");
-  }
-  return {std::move(encounter), typed, speeds};
+  const Ends ends = arguments.approach.ends(units);
+  return {std::move(encounter), {ends.typed.first, ends.typed.second}, {ends.own.first, ends.own.second}};
 }
 
 Provenance describe(const TableArguments& arguments, const TableJob& job) {
   Provenance provenance{"table", command_line(), {}};
   auto& inputs = provenance.inputs;
   cli::describe(job.encounter, inputs);
-  inputs[job.si ? "speed[m/s]" : "speed"] = arguments.speed;
+  arguments.approach.describe(units_of(job.encounter), inputs);
   if (!arguments.ratio.empty()) inputs["ratio"] = arguments.ratio;
   inputs["error"] = arguments.error;
   if (arguments.oblique) inputs["tolerance"] = arguments.tolerance;
@@ -108,7 +99,7 @@ std::string text_of_function(const TableArguments& arguments, TableJob& job) {
 }
 
 std::string text_of_pairs(const TableArguments& arguments, const TableJob& job) {
-  const auto [smallest, largest] = parse_ratios(arguments.ratio);
+  const auto [smallest, largest] = ends_of(Question::table, "ratio", arguments.ratio, {}).own;
   const PairTable table = pair_table(mixture(job.encounter), job.speeds[0], job.speeds[1], smallest, largest,
                                      {.error = arguments.error,
                                       .beyond = beyond(arguments),
@@ -155,13 +146,8 @@ void run(const TableArguments& arguments) {
 }
 
 void add_form(CLI::App& command, TableArguments& arguments) {
-  add(command, "--error", arguments.error,
-      "Maximum error of eps at any speed, interpolation included, 1e-7 to\n0.1 (default: 0.001)", "ERROR",
-      "Resolution");
-  add(command, "--tolerance", arguments.tolerance,
-      "With --oblique: maximum error of the sliding after the collision over\n|v_t| + |spin R| of both bodies + MU v, "
-      "1e-4 to 0.5 (default: 0.02)",
-      "TOLERANCE", "Resolution");
+  add_input(command, Question::table, "error", arguments.error, "Resolution");
+  add_input(command, Question::table, "tolerance", arguments.tolerance, "Resolution");
   add_threads(command, arguments.threads);
   add_choice(command, "--format", arguments.format, {"c", "two-column", "json", "netcdf"},
              "Form of the table (default: c)\n"
@@ -209,23 +195,17 @@ void add_table(CLI::App& app) {
   auto& arguments = add_subcommand<TableArguments>(
       app, "table", "Coefficient of restitution as a function, for other programs", run,
       "Examples:\n"
-      "  stoss table --poisson 0.33 --speed 1e-4:0.3 -o restitution.h\n"
+      "  stoss table --body disk --poisson 0.33 --speed 1e-4:0.3 -o restitution.h\n"
       "  stoss table --body sphere --poisson 0.3 --speed 1e-5:0.1 --against same --error 1e-4 --format json\n"
       "  stoss table --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.005 --speed 0.01:10\n"
       "      --against half-space,poisson=0.23,young=7e10,density=2500 --format two-column -o steel_on_glass.txt\n"
-      "  stoss table --poisson 0.33 --speed 1e-4:0.3 --against same --ratio 1:3 -o pairs.h\n"
+      "  stoss table --body disk --poisson 0.33 --speed 1e-4:0.3 --against same --ratio 1:3 -o pairs.h\n"
       "  stoss table --body sphere --poisson 0.3 --speed 1e-4:1e-2 --against same --oblique -o rule.h\n"
       "  stoss table --body rod --speed 0.001:0.1 --against rod,length=2.5 --error 0.01 --name rods -o rods.h");
   CLI::App& command = *arguments.command;
   arguments.who.first.add_poisson_to(command);
-  add(command, "--speed", arguments.speed,
-      "Range of the speed of approach, SLOWEST:FASTEST, within 1e-8 to 1 in c\nof the body (with a material: m/s)",
-      "RANGE", "Body")
-      ->required();
-  add(command, "--ratio", arguments.ratio,
-      "Range of the ratio of radii, SMALLEST:GREATEST, second body over first,\nwithin 1e-3 to 1e3: a table of pairs "
-      "of disks or of spheres, --against\nsame or a body, whose radius does not count",
-      "RANGE", "Body");
+  arguments.approach.add_to(command, Question::table, "Motion");
+  add_input(command, Question::table, "ratio", arguments.ratio, "Body");
   command
       .add_flag("--oblique", arguments.oblique,
                 "The whole collision rule: what becomes of the velocity along the surface\n"
@@ -236,12 +216,8 @@ void add_table(CLI::App& app) {
                 "eps of real balls, with yield and adhesion as models (stoss predict)")
       ->group("Body");
   arguments.who.add_to(command);
-  add(command, "--adhesion", arguments.adhesion,
-      "With --predict: work of adhesion of both surfaces in J/m^2 (default:\nthat of the materials)", "W", "Against");
-  add(command, "--friction", arguments.friction,
-      "With --oblique, of disks that are not equal: the coefficient of Coulomb's\nlaw for which the table holds, up to "
-      "5; other tables serve any friction",
-      "MU", "Against");
+  add_input(command, Question::table, "adhesion", arguments.adhesion, "Against");
+  add_input(command, Question::table, "friction", arguments.friction, "Against");
   add_form(command, arguments);
 }
 

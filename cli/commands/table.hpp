@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "input/approach.hpp"
 #include "input/encounter.hpp"
 #include "output/output_options.hpp"
 #include "stoss/table/c_source.hpp"
@@ -16,7 +17,7 @@ namespace stoss::cli {
 /// What stoss table is given.
 struct TableArguments {
   EncounterOptions who;
-  std::string speed;
+  ApproachOptions approach;
   std::string ratio;  // of a table of pairs
   double error = 1e-3;
   bool oblique = false;              // the whole collision rule
@@ -56,9 +57,6 @@ struct TableJob {
 [[nodiscard]] std::string as_json(const TableArguments& arguments, const TableJob& job,
                                   const RestitutionFunction& function);
 [[nodiscard]] std::string as_json(const TableArguments& arguments, const TableJob& job, const PairTable& table);
-
-/// Ends of the range of ratios.
-[[nodiscard]] std::pair<double, double> parse_ratios(const std::string& ratio);
 
 /// The table of --oblique.
 [[nodiscard]] std::string text_of_rule(const TableArguments& arguments, const TableJob& job);

@@ -50,7 +50,7 @@ void BodyOptions::add_poisson_to(CLI::App& command) {
 
 void BodyOptions::add_kind_to(CLI::App& command, const std::vector<std::string>& kinds, bool files) {
   kinds_ = kinds;
-  std::string help = "Kind of body (default: disk)";
+  std::string help = "Kind of body (default: sphere)";
   for (const std::string& name : kinds) {
     if (parameter(kind(name), "poisson") == nullptr) help += "; a " + name + " has no Poisson's ratio";
   }

@@ -180,7 +180,7 @@ void describe_against(const Encounter& encounter, Json& inputs) {
 }  // namespace
 
 void EncounterOptions::add_to(CLI::App& to, bool exponential, const std::string& note) {
-  first.add_kind_to(to, {"disk", "sphere", "rod"}, true);
+  first.add_kind_to(to, {"sphere", "disk", "rod"}, true);
   first.add_dynamics_to(to);
   first.add_material_to(to, true);
   std::string help =

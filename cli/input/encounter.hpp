@@ -41,7 +41,7 @@ class BodyOptions {
   void require_own(const Kind& its) const;
 
   std::vector<std::string> kinds_;
-  std::string kind_ = "disk";
+  std::string kind_ = "sphere";
   std::map<std::string, std::optional<double>> numbers_;  // by parameter
   std::optional<double> yield_;
   std::string material_, plane_;
@@ -108,12 +108,6 @@ struct Allowed {
 
 /// Numbers as typed, for the inputs of a result: one as a number, more than one as text.
 [[nodiscard]] nlohmann::ordered_json as_typed(const std::string& text);
-
-/// Speeds of approach, in c. @throws InvalidInput
-[[nodiscard]] std::vector<double> parse_speeds(const std::string& text, const Units& units);
-
-/// The same of one speed. @param note why only one
-[[nodiscard]] double parse_speed(const std::string& text, const Units& units, const std::string& note = {});
 
 /// --mode, as often as there are modes: how the bodies vibrate before the impact.
 void add_modes_to(CLI::App& command, std::vector<std::string>& modes);

@@ -40,19 +40,6 @@ std::vector<double> parse_series_in(const std::string& name, const std::string& 
   return values;
 }
 
-std::vector<double> parse_speeds(const std::string& text, const Units& units) {
-  return parse_series_in("speed", text, Dimension::speed, units, {1e-8, 1.0, "speed of approach, 1e-8 to 1 c"});
-}
-
-double parse_speed(const std::string& text, const Units& units, const std::string& note) {
-  const std::vector<double> speeds = parse_speeds(text, units);
-  if (speeds.size() != 1) {
-    throw InvalidInput::out_of_range("speed", fmt::format("{} speeds", speeds.size()),
-                                     fmt::format("one{}", note.empty() ? "" : fmt::format(" ({})", note)));
-  }
-  return speeds.front();
-}
-
 nlohmann::ordered_json as_typed(const std::string& text) {
   const std::vector<double> values = parse_series("", text);
   if (values.size() == 1) return values.front();

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app.hpp"
+#include "input/inputs.hpp"
 #include "input/words.hpp"
 #include "process/text.hpp"
 #include "stoss/encounter/series.hpp"
@@ -80,14 +81,8 @@ void describe(const Vibration& modes, nlohmann::ordered_json& inputs) {
 Vibration SpectrumArguments::means() const { return parse_modes("spectrum", {"energy", "of"}, modes); }
 
 void SpectrumArguments::add_to(CLI::App& command) {
-  add(command, "--temperature", temperature,
-      "Mean energy of each mode up to --highest, as a share of the\n"
-      "translational one, 0 to 1e6 (this or --spectrum)",
-      "SHARE", "Vibration");
-  add(command, "--highest", highest,
-      "With --temperature: modes up to this frequency in c/R of the first\nbody vibrate (default: 10, where bodies "
-      "allow it)",
-      "OMEGA", "Vibration");
+  add_input(command, Question::distribution, "temperature", temperature, "Vibration");
+  add_input(command, Question::distribution, "highest", highest, "Vibration");
   add(command, "--spectrum", modes,
       "A mode that vibrates, once for each: order n and index l as stoss\n"
       "modes has them; its mean energy, as a share of the translational\n"

@@ -118,11 +118,6 @@ module stoss
       type(c_ptr), value :: contact
     end function stoss_speed_unit
 
-    real(c_double) function stoss_friction(contact) bind(c)
-      import
-      type(c_ptr), value :: contact
-    end function stoss_friction
-
     subroutine stoss_contact_free(contact) bind(c)
       import
       type(c_ptr), value :: contact
@@ -137,6 +132,13 @@ module stoss
       type(stoss_control), intent(in) :: control
       type(stoss_result), intent(inout) :: results(count)
     end function stoss_curve
+
+    integer(c_int) function stoss_collision(contact, json, obliquity) bind(c)
+      import
+      type(c_ptr), value :: contact
+      character(kind=c_char), intent(in) :: json(*)
+      type(stoss_obliquity), intent(out) :: obliquity
+    end function stoss_collision
 
     integer(c_int) function stoss_oblique(contact, obliquities, count, tolerance, control, results) bind(c)
       import

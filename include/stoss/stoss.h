@@ -116,9 +116,6 @@ int stoss_open(const char* json, stoss_contact** contact);
 /** c of the first body in m/s if it has a material, otherwise 1. */
 double stoss_speed_unit(const stoss_contact* contact);
 
-/** The friction that the document of a contact gives, for stoss_obliquity; 0 where it gives none. */
-double stoss_friction(const stoss_contact* contact);
-
 /** Frees a contact; NULL is none. */
 void stoss_contact_free(stoss_contact* contact);
 
@@ -175,6 +172,16 @@ typedef struct stoss_obliquity {
   double second_spin; /**< of the second body, c/R of the first: positive moves its foremost point along -y */
   double friction;    /**< coefficient of Coulomb's law, 0 to 5 */
 } stoss_obliquity;
+
+/**
+ * Reads how two surfaces meet from a JSON document, as in
+ *
+ *     {"speed": 1, "angle": 45, "spin": 0, "second_spin": 0, "friction": 0.3}
+ *
+ * with `tangential` in place of the angle, which is in degrees. Where the contact is in SI, these are in m/s and rad/s.
+ * @param obliquity in units of the first body
+ */
+int stoss_collision(const stoss_contact* contact, const char* json, stoss_obliquity* obliquity);
 
 /** A collision rule at one obliquity, in units of the first body. */
 typedef struct stoss_oblique_result {

@@ -8,6 +8,7 @@
 #include "c/handles.hpp"
 #include "c/status.hpp"
 #include "stoss/contact/contact.hpp"
+#include "stoss/encounter/collision.hpp"
 #include "stoss/encounter/document.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/curve.hpp"
@@ -85,18 +86,26 @@ int stoss_open(const char* json, stoss_contact** contact) {
     if (const auto second = stoss::second_solid(given)) {
       made.second = stoss_body{*second, given.against.rigid, stoss::second_maker(given)};
     }
-    made.vibration = given.vibration;
-    made.speed_unit = stoss::speed_unit(given);
-    made.friction = given.friction;
+    made.encounter = given;
     *contact = new stoss_contact(std::move(made));
   });
 }
 
-double stoss_speed_unit(const stoss_contact* contact) { return contact == nullptr ? 1.0 : contact->speed_unit; }
-
-double stoss_friction(const stoss_contact* contact) { return contact == nullptr ? 0.0 : contact->friction; }
+double stoss_speed_unit(const stoss_contact* contact) {
+  return contact == nullptr ? 1.0 : stoss::speed_unit(contact->encounter);
+}
 
 void stoss_contact_free(stoss_contact* contact) { delete contact; }
+
+int stoss_collision(const stoss_contact* contact, const char* json, stoss_obliquity* obliquity) {
+  return guarded([&] {
+    require_given(contact, "contact");
+    require_given(json, "json");
+    require_given(obliquity, "obliquity");
+    const auto [speed, before] = stoss::own_units(contact->encounter, stoss::collision_from_json(json));
+    *obliquity = {speed, before.tangential, before.spin, before.second_spin, before.friction};
+  });
+}
 
 int stoss_curve(const stoss_contact* contact, const double* speeds, size_t count, double tolerance, double absolute,
                 const stoss_control* control, stoss_result* results) {
@@ -110,7 +119,7 @@ int stoss_curve(const stoss_contact* contact, const double* speeds, size_t count
     const stoss::CurveOptions options{.each = {.tolerance = tolerance,
                                                .absolute = absolute,
                                                .poll = stoss::c::poll_of(control),
-                                               .vibration = contact->vibration},
+                                               .vibration = contact->encounter.vibration},
                                       .threads = stoss::c::threads_of(control)};
     stoss::restitution_curve(contact->contact, at, options, [&](std::size_t i, const stoss::Restitution& result) {
       found.push_back(in_c(at[i], result));
@@ -135,7 +144,7 @@ int stoss_oblique(const stoss_contact* contact, const stoss_obliquity* obliquiti
     std::vector<stoss_oblique_result> found;
     std::string reason;
     const stoss::ObliqueCurveOptions options{
-        .each = {.tolerance = tolerance, .poll = stoss::c::poll_of(control), .vibration = contact->vibration},
+        .each = {.tolerance = tolerance, .poll = stoss::c::poll_of(control), .vibration = contact->encounter.vibration},
         .threads = stoss::c::threads_of(control)};
     stoss::oblique_curve(contact->contact, cases, options, [&](std::size_t i, const stoss::ObliqueRestitution& result) {
       found.push_back(in_c(result));

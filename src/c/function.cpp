@@ -27,7 +27,7 @@ stoss::SlowLaw law_of(const stoss_contact& contact) {
 }
 
 void require_unexcited(const stoss_contact& contact) {
-  if (contact.vibration.empty()) return;
+  if (contact.encounter.vibration.empty()) return;
   throw stoss::InvalidInput::conflict("vibration", "a function of the speed is of bodies that do not vibrate before");
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "stoss/encounter/encounter.hpp"
 #include "stoss/encounter/laws.hpp"
 #include "stoss/stoss.h"
 #include "stoss/table/restitution_function.hpp"
@@ -18,9 +19,7 @@ struct stoss_contact {
   stoss::RefinableContact contact;
   stoss_body first;
   std::optional<stoss_body> second{};  ///< otherwise a wall
-  stoss::Vibration vibration{};
-  double speed_unit = 1.0;  ///< m/s where the encounter is in SI
-  double friction = 0.0;    ///< that of the encounter
+  stoss::Encounter encounter{};        ///< with its units and vibration; without any where bodies made it
 };
 
 struct stoss_function {

@@ -221,10 +221,8 @@ Encounter encounter_from_json(std::string_view text) {
       for (const Json& each : value) encounter.vibration.push_back(oscillation("vibration", each));
     } else if (name == "vibration") {
       refuse(name, value, "a list of modes");
-    } else if (name == "friction") {
-      encounter.friction = number(name, value);
     } else if (name != "format") {
-      refuse("encounter", name, "format, first, against, vibration, friction");
+      refuse("encounter", name, "format, first, against, vibration");
     }
   }
   validate(encounter);
@@ -241,7 +239,6 @@ std::string to_json(const Encounter& encounter) {
                                      {"energy", mode.energy},
                                      {"phase", mode.phase}});
   }
-  if (encounter.friction != 0.0) document["friction"] = encounter.friction;
   return document.dump();
 }
 

@@ -9,7 +9,7 @@
 
 #include "check.hpp"
 #include "encounter/participant.hpp"
-#include "stoss/impact/oblique.hpp"
+#include "stoss/encounter/inputs.hpp"
 
 namespace stoss {
 namespace {
@@ -64,8 +64,8 @@ auto with_given_loss_time(const Participant& of, const Compute& compute) {
     return compute();
   } catch (const InvalidInput& error) {
     const double given = loss_time_of(of);
-    if (line.compare(0, refused.size(), refused) != 0 || !(given > 0.0) || std::isinf(given)) throw;
-    const double most = 1e5 * given / std::stod(line.substr(refused.size()));
+    if (error.name() != "loss_time" || error.got().empty() || !(given > 0.0) || std::isinf(given)) throw;
+    const double most = 1e5 * given / std::stod(error.got());
     if (!of.material_name.empty() && !of.values.contains("loss_time")) {
       throw InvalidInput::out_of_range("material", of.material_name + ", whose loss time is " + rounded(given) + " s",
                                        "up to " + shown_most(most) + " s of bodies so small",
@@ -159,7 +159,6 @@ void validate(const Encounter& encounter) {
   of_what_is_met([&] { validate(wall_of(encounter)); });
   (void)second_maker(encounter);
   (void)yield_speed(encounter);
-  require("friction", encounter.friction, {0.0, most_friction, true, true, "0 to 5"}, "coefficient of Coulomb's law");
 }
 
 std::optional<Scales> si_scales(const Encounter& encounter) {
@@ -185,15 +184,7 @@ double speed_unit(const Encounter& encounter) {
 }
 
 double own_speed(const Encounter& encounter, double speed) {
-  constexpr double slowest = 1e-8, fastest = 1.0;
-  const double unit = speed_unit(encounter);
-  if (!(speed >= slowest * unit && speed <= fastest * unit)) {
-    throw InvalidInput::out_of_range("speed", shown(speed),
-                                     shown_least(slowest * unit) + " to " + shown_most(fastest * unit) + " " +
-                                         std::string(unit_name(Dimension::speed, unit_system(encounter))),
-                                     "speed of approach, 1e-8 to 1 c");
-  }
-  return std::clamp(speed / unit, slowest, fastest);  // the division may round beyond an end
+  return in_own_units(input(Question::restitution, "speed"), speed, si_scales(encounter), unit_system(encounter));
 }
 
 Solid first_solid(const Encounter& encounter) {

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "encounter/formats.hpp"
+#include "stoss/encounter/inputs.hpp"
 #include "stoss/encounter/kinds.hpp"
 #include "stoss/encounter/materials.hpp"
-#include "stoss/impact/oblique.hpp"
 
 namespace stoss {
 namespace {
@@ -177,6 +177,22 @@ Json vibration() {
   return {{"type", "array"}, {"items", mode}};
 }
 
+/// How they meet: a document of its own, whose ranges are in units of the first body.
+Json collision() {
+  Json properties = Json::object();
+  for (const char* name : {"speed", "tangential", "angle", "spin", "second_spin", "friction"}) {
+    const Input& its = input(Question::oblique, name);
+    Json& schema = properties[name] = {{"type", "number"}, {"description", its.help}};
+    if (its.dimension != Dimension::none) {
+      schema["x-dimension"] = dimension_name(its.dimension);
+    } else {
+      schema[its.low_included ? "minimum" : "exclusiveMinimum"] = its.low;
+      schema[its.high_included ? "maximum" : "exclusiveMaximum"] = its.high;
+    }
+  }
+  return {{"type", "object"}, {"properties", properties}, {"required", {"speed"}}, {"additionalProperties", false}};
+}
+
 }  // namespace
 
 std::string encounter_schema() {
@@ -196,16 +212,10 @@ std::string encounter_schema() {
                      {{"format", {{"const", json::encounter_format}}},
                       {"first", {{"oneOf", first}}},
                       {"against", {{"oneOf", against}, {"default", "wall"}}},
-                      {"vibration", vibration()},
-                      {"friction",
-                       {{"type", "number"},
-                        {"description", "coefficient of Coulomb's law, of oblique impacts"},
-                        {"minimum", 0},
-                        {"maximum", most_friction},
-                        {"default", 0}}}}},
+                      {"vibration", vibration()}}},
                     {"required", {"first"}},
                     {"additionalProperties", false},
-                    {"$defs", {{"material", materials()}, {"modal_body", modal_body()}}}};
+                    {"$defs", {{"material", materials()}, {"modal_body", modal_body()}, {"collision", collision()}}}};
   return schema.dump(2);
 }
 

@@ -78,12 +78,11 @@ void require_possible(const Contact& contact, const Oscillation& mode) {
   const Body& body = *its;
   if (!is_whole(body)) {
     throw InvalidInput::out_of_range("vibration", "a mode of '" + short_name(body) + "'",
-                                     "modes of bodies that are there as a " + "whole",
-                                     "the waves of this one run away");
+                                     "modes of bodies that are there as a whole", "the waves of this one run away");
   }
   if (is_known_at_a_point(body)) {
     throw InvalidInput::out_of_range("vibration", "a mode of '" + body.name + "'",
-                                     "modes of bodies that are known as a " + "whole", "of this one a point is");
+                                     "modes of bodies that are known as a whole", "of this one a point is");
   }
   if (mode.order < 0 || mode.index < 0) {
     throw InvalidInput::out_of_range("vibration", named(mode), "an order and an index of 0 or more");

@@ -7,6 +7,7 @@
 
 #include "check.hpp"
 #include "encounter/participant.hpp"
+#include "ranges.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/quasistatic/adhesion.hpp"
 #include "stoss/quasistatic/yield.hpp"
@@ -107,7 +108,7 @@ Touching touching(const Encounter& encounter, std::optional<double> work_of_adhe
     made.yield_speed = quasistatic::yield_speed(made.pair, made.mass, *strength);
   }
   made.work_of_adhesion = work_of_adhesion.value_or(work_between(one, other));
-  require("adhesion", made.work_of_adhesion, {0.0, 1e6, true, true, "0 to 1e6"}, "work of adhesion in J/m^2");
+  require("adhesion", made.work_of_adhesion, ranges::adhesion, "work of adhesion in J/m^2");
   made.sheet = met.kind == "plate";
   return made;
 }

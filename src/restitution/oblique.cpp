@@ -10,6 +10,7 @@
 #include "contact/touch.hpp"
 #include "impact/oblique/frame.hpp"
 #include "impact/recommended.hpp"
+#include "ranges.hpp"
 #include "restitution/lasting.hpp"
 #include "restitution/neglected_coupling.hpp"
 #include "restitution/oblique_doubts.hpp"
@@ -173,8 +174,7 @@ double refine(const RefinableContact& contact, const ObliqueOptions& options, st
 std::vector<ObliqueRestitution> results_of(const RefinableContact& contact, double speed,
                                            const std::vector<Obliquity>& obliquities, const ObliqueOptions& options,
                                            Content content) {
-  constexpr Range tolerances{1e-6, 0.5, true, true, "1e-6 to 0.5"};
-  require("tolerance", options.tolerance, tolerances, "error of s' over the greater of |s| and mu v_n");
+  require("tolerance", options.tolerance, ranges::sliding_tolerance, "error of s' over the greater of |s| and mu v_n");
   require_speed(speed);
   std::vector<ObliqueRestitution> results;
   for (const Obliquity& obliquity : obliquities) {

@@ -11,6 +11,7 @@
 #include "check.hpp"
 #include "numeric/monotone_cubic.hpp"
 #include "numeric/parabolic_cubic.hpp"
+#include "ranges.hpp"
 #include "stoss/errors.hpp"
 #include "table/computed_values.hpp"
 
@@ -32,7 +33,7 @@ void require_options(double slowest, double fastest, const FunctionOptions& opti
     throw InvalidInput::out_of_range("range", shown(slowest) + " to " + shown(fastest),
                                      "a slowest speed below the fastest");
   }
-  require("error", options.error, {1e-7, 0.1, true, true, "1e-7 to 0.1"}, "maximum error of the restitution");
+  require("error", options.error, ranges::table_error, "maximum error of the restitution");
   require("most_speeds", static_cast<long>(options.most_speeds), 16, 100'000, "at which it is computed");
   require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
 }

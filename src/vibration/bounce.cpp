@@ -10,6 +10,7 @@
 
 #include "check.hpp"
 #include "impact/free_flight.hpp"
+#include "ranges.hpp"
 
 namespace stoss {
 namespace {
@@ -161,17 +162,17 @@ void validate(const Contact& contact, double speed, const BounceOptions& options
                                      "two free bodies that have met do not come back to each other");
   }
   require_speed(speed);
-  require("count", options.count, 1, 1'000'000'000, "impacts");
+  require("count", static_cast<double>(options.count), ranges::count, "impacts");
   if (options.flight_time.has_value() == options.gravity.has_value()) {
     throw InvalidInput::out_of_range("flight_time", (options.gravity ? "it and gravity" : "neither it nor gravity"),
                                      "exactly one", "gravity g makes the flight 2v/g");
   }
   if (options.flight_time) {
-    require("flight_time", *options.flight_time, {0.0, 1e12, false, true, "above 0 to 1e12"}, "R/c");
+    require("flight_time", *options.flight_time, ranges::flight_time, "R/c");
   }
-  if (options.gravity) require("gravity", *options.gravity, {1e-15, 1e3, true, true, "1e-15 to 1000"}, "c^2/R");
+  if (options.gravity) require("gravity", *options.gravity, ranges::gravity, "c^2/R");
   if (options.decay_time) {
-    require("decay_time", *options.decay_time, {0.0, 1e15, true, true, "0 to 1e15"}, "R/c, of the vibration in flight");
+    require("decay_time", *options.decay_time, ranges::decay_time, "R/c, of the vibration in flight");
   }
   if (!options.vibration.empty()) (void)approach(contact, speed, options.vibration);
 }

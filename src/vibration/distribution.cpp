@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "check.hpp"
+#include "ranges.hpp"
 #include "restitution/ordered_jobs.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/curve.hpp"
@@ -53,8 +54,8 @@ void validate(const RefinableContact& contact, double speed, const Spectrum& spe
               const DistributionOptions& options) {
   require_speed(speed);
   require("first", options.first, 0, 1'000'000'000'000'000, "number of the first sample");
-  require("samples", options.samples, 1, 1'000'000, "of an ensemble; another seed gives more");
-  require("error", options.error, {1e-9, 0.5, true, true, "1e-9 to 0.5"}, "absolute error of 1 - eps^2");
+  require("samples", static_cast<double>(options.samples), ranges::samples, "of an ensemble; another seed gives more");
+  require("error", options.error, ranges::sample_error, "absolute error of 1 - eps^2");
   require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
   const Vibration any = draw(spectrum, options.seed, 0);
   validate(contact, speed, any, options.poll);

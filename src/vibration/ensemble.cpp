@@ -11,13 +11,12 @@
 
 #include "check.hpp"
 #include "numeric/random.hpp"
+#include "ranges.hpp"
 #include "restitution/own_choice.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
 namespace {
-
-constexpr Range energies{0.0, 1e6, true, true, "0 to 1e6"};
 
 /// Levels of the ladder above the modes that vibrate, for `restitution` to have three cutoffs.
 constexpr int levels_above = 6;
@@ -93,7 +92,7 @@ double usual_highest(const RefinableContact& contact, const Poll& poll) {
 }
 
 Spectrum thermal(const RefinableContact& contact, double temperature, double highest, const Poll& poll) {
-  require("temperature", temperature, energies, "k_B T over the translational energy");
+  require("temperature", temperature, ranges::energy, "k_B T over the translational energy");
   const Allowed allowed(contact, poll);
   const double greatest = allowed.greatest();
   require("highest", highest, {0.0, greatest, false, true, "above 0 to " + shown_most(greatest)},
@@ -138,7 +137,7 @@ Vibration draw(const Spectrum& spectrum, std::uint64_t seed, std::uint64_t sampl
   Vibration vibration;
   vibration.reserve(spectrum.size());
   for (const MeanEnergy& mode : spectrum) {
-    require("energy", mode.energy, energies, "mean of a mode, as a share of the translational energy");
+    require("energy", mode.energy, ranges::energy, "mean of a mode, as a share of the translational energy");
     if (mode.energy == 0.0) continue;
     // One counter for each mode of each body in each sample.
     const auto body_and_order = static_cast<std::uint32_t>(mode.body) << 31U | static_cast<std::uint32_t>(mode.order);

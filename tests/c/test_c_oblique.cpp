@@ -17,7 +17,7 @@ using namespace test;
 namespace {
 
 const std::string rough_balls =
-    R"({"first": {"kind": "sphere", "poisson": 0.3}, "against": {"kind": "sphere", "radius": 2}, "friction": 0.2})";
+    R"({"first": {"kind": "sphere", "poisson": 0.3}, "against": {"kind": "sphere", "radius": 2}})";
 
 void expect_same(const stoss_estimate& in_c, const Estimate& expected) {
   EXPECT_EQ(in_c.value, expected.value);
@@ -27,9 +27,7 @@ void expect_same(const stoss_estimate& in_c, const Estimate& expected) {
 TEST(COblique, IsThatOfCpp) {
   CContact contact;
   ASSERT_EQ(stoss_open(rough_balls.c_str(), &contact), STOSS_OK) << stoss_message();
-  EXPECT_EQ(stoss_friction(contact), 0.2);
-  EXPECT_EQ(stoss_friction(nullptr), 0.0);
-  const double friction = stoss_friction(contact);
+  constexpr double friction = 0.2;
   const std::array<stoss_obliquity, 3> asked{
       {{0.05, 0.02, 0.0, 0.01, friction}, {0.05, 0.0, 0.1, 0.0, friction}, {0.1, 0.0, 0.0, 0.0, friction}}};
   std::array<stoss_oblique_result, 3> results{};
@@ -65,10 +63,30 @@ TEST(COblique, IsThatOfCpp) {
   EXPECT_EQ(results[2].tangential_restitution.error, infinity);  // nothing slides
 }
 
+TEST(COblique, ReadsCollisionsInTheUnitsOfTheContact) {
+  CContact plain, steel;
+  ASSERT_EQ(stoss_open(rough_balls.c_str(), &plain), STOSS_OK);
+  stoss_obliquity read{};
+  ASSERT_EQ(stoss_collision(plain, R"({"speed": 0.05, "angle": 45, "spin": 0.1, "friction": 0.2})", &read), STOSS_OK);
+  EXPECT_EQ(read.speed, 0.05);
+  EXPECT_NEAR(read.tangential, 0.05, 1e-15);
+  EXPECT_EQ(read.spin, 0.1);
+  EXPECT_EQ(read.second_spin, 0.0);
+  EXPECT_EQ(read.friction, 0.2);
+  ASSERT_EQ(stoss_open(R"({"first": {"kind": "sphere", "radius": 0.005, "material": "glass"}})", &steel), STOSS_OK);
+  const double c = stoss_speed_unit(steel);
+  ASSERT_EQ(stoss_collision(steel, R"({"speed": 2, "tangential": -1, "second_spin": 30})", &read), STOSS_OK);
+  EXPECT_EQ(read.speed, 2.0 / c);
+  EXPECT_EQ(read.tangential, -1.0 / c);
+  EXPECT_NEAR(read.second_spin, 30.0 * 0.005 / c, 1e-15 * read.second_spin);
+  EXPECT_EQ(stoss_collision(plain, R"({"speed": 5})", &read), STOSS_INVALID_INPUT);
+  EXPECT_EQ(std::string(stoss_last_refusal().name), "speed");
+  EXPECT_EQ(stoss_collision(plain, nullptr, &read), STOSS_INVALID_INPUT);
+}
+
 TEST(COblique, KeepsWhatMissesTheTolerance) {
   CContact contact;
   ASSERT_EQ(stoss_open(R"({"first": {"kind": "sphere", "poisson": 0.3}})", &contact), STOSS_OK);
-  EXPECT_EQ(stoss_friction(contact), 0.0);
   const std::array<stoss_obliquity, 2> asked{{{0.05, 0.5, 0.0, 0.0, 0.1}, {0.05, 0.005, 0.0, 0.0, 0.1}}};
   std::array<stoss_oblique_result, 2> results{};
   EXPECT_EQ(stoss_oblique(contact, asked.data(), 2, 1e-5, nullptr, results.data()), STOSS_NOT_CONVERGED);
@@ -80,7 +98,7 @@ TEST(COblique, KeepsWhatMissesTheTolerance) {
 
 TEST(COblique, RefusesAndStops) {
   CContact bar, ball;
-  ASSERT_EQ(stoss_open(R"({"first": {"kind": "rod"}, "friction": 0.1})", &bar), STOSS_OK);
+  ASSERT_EQ(stoss_open(R"({"first": {"kind": "rod"}})", &bar), STOSS_OK);
   ASSERT_EQ(stoss_open(R"({"first": {"kind": "sphere", "poisson": 0.3}})", &ball), STOSS_OK);
   const stoss_obliquity asked{0.05, 0.02, 0.0, 0.0, 0.1}, steep{0.05, 2.0, 0.0, 0.0, 0.1};
   stoss_oblique_result result{};

@@ -68,11 +68,8 @@ static int oblique(void) {
   stoss_contact* contact = NULL;
   stoss_obliquity asked;
   stoss_oblique_result result;
-  REQUIRE(stoss_open("{\"first\": {\"kind\": \"sphere\", \"poisson\": 0.3}, \"friction\": 0.1}", &contact) == STOSS_OK);
-  asked.speed = 0.01;
-  asked.tangential = 0.03;
-  asked.spin = asked.second_spin = 0.0;
-  asked.friction = stoss_friction(contact);
+  REQUIRE(stoss_open("{\"first\": {\"kind\": \"sphere\", \"poisson\": 0.3}}", &contact) == STOSS_OK);
+  REQUIRE(stoss_collision(contact, "{\"speed\": 0.01, \"tangential\": 0.03, \"friction\": 0.1}", &asked) == STOSS_OK);
   REQUIRE(stoss_oblique(contact, &asked, 1, STOSS_OBLIQUE_TOLERANCE, NULL, &result) == STOSS_OK);
   REQUIRE(result.converged && result.sliding == 0.03 && result.before.friction == 0.1);
   REQUIRE(fabs(result.sliding_after.value - (0.03 - 0.0035 * (1.0 + result.restitution.value))) < 5e-5);

@@ -37,9 +37,9 @@ program main
   call require(calls == 1, 14)
   call stoss_contact_free(contact)
 
-  call require(stoss_open('{"first": {"kind": "sphere", "poisson": 0.3}, "friction": 0.1}'//c_null_char, contact) &
-    == stoss_ok, 15)
-  obliquities(1) = stoss_obliquity(speed=0.01_c_double, tangential=0.03_c_double, friction=stoss_friction(contact))
+  call require(stoss_open('{"first": {"kind": "sphere", "poisson": 0.3}}'//c_null_char, contact) == stoss_ok, 15)
+  call require(stoss_collision(contact, '{"speed": 0.01, "tangential": 0.03, "friction": 0.1}'//c_null_char, &
+    obliquities(1)) == stoss_ok, 15)
   control = stoss_control()
   call require(stoss_oblique(contact, obliquities, 1_c_size_t, stoss_oblique_tolerance, control, rules) == stoss_ok, 16)
   call require(rules(1)%converged == 1 .and. abs(rules(1)%sliding_after%value - 0.023_c_double) < 5e-5_c_double, 17)

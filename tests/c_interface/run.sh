@@ -64,7 +64,7 @@ table)  # the header of a table and the library, in one program
   needed gcc
   sanitized && skip "the same as without sanitizers"
   [ -x "$prefix/bin/stoss" ] || skip "no command"
-  "$prefix/bin/stoss" table --poisson 0.33 --speed 0.01:0.2 --format c -o "$out/restitution.h"
+  "$prefix/bin/stoss" table --body disk --poisson 0.33 --speed 0.01:0.2 --format c -o "$out/restitution.h"
   gcc "${strict[@]}" -I "$out" "$here/table.c" $(pkg-config --cflags --libs stoss) -lm -o "$out/main"
   "$out/main"
   ;;

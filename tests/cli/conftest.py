@@ -14,7 +14,7 @@ import pytest
 
 
 # A job of four rows, for what may happen to its file.
-SMALL = "restitution --poisson 0.33,-0.2 --speed 0.1,0.2"
+SMALL = "restitution --body disk --poisson 0.33,-0.2 --speed 0.1,0.2"
 
 
 class Command:

@@ -28,7 +28,6 @@ def schema(stoss):
         {"first": {"kind": "disk", "radius": 1, "material": "glass", "plane": "strain"}, "against": "same"},
         {"first": {"kind": "rod"}, "against": {"kind": "rod", "length": 2, "area": 0.5}},
         {"first": BALL, "vibration": [{"order": 2, "index": 0, "energy": 0.1, "body": "first"}]},
-        {"first": BALL, "friction": 0.3},
         {"first": BALL, "against": {"kind": "plate", "thickness": 2, "young": 3}},
         {"first": BALL, "against": {"kind": "plate", "layers": [{"thickness": 2}, {"young": 3}], "loss_time": 0}},
         {"first": STEEL, "against": {"kind": "plate", "layers": [{"thickness": 0.004, "material": "PVB"}]}},
@@ -59,7 +58,6 @@ def test_schema_takes(schema, encounter):
         {"first": BALL, "against": {"kind": "plate", "layers": []}},
         {"first": BALL, "against": {"kind": "plate", "layers": [{"thickness": 1, "loss_time": 0}]}},
         {"first": BALL, "against": {"kind": "strip"}},
-        {"first": BALL, "friction": "much"},
         {"first": BALL, "speed": 1},
     ],
 )
@@ -102,8 +100,8 @@ def test_refusals(stoss, arguments, name, said):
     assert line.startswith(f"stoss: error: {name}: ") and said in line
 
 
-DISK = "restitution --poisson 0.33 --speed 0.2"
-SOLID = "--poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01"
+DISK = "restitution --body disk --poisson 0.33 --speed 0.2"
+SOLID = "--body disk --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01"
 
 
 REFUSED = [
@@ -140,7 +138,7 @@ def test_refusals_of_options(stoss, tmp_path, against, name, said):
     (line,) = result.stderr.splitlines()
     assert line.startswith(f"stoss: error: {name}: got ") and said in line and "allowed" in line
     if against != "exponential":
-        other = stoss.run("impact --poisson 0.33 --speed 0.2 --cutoff 20 --against", against)
+        other = stoss.run("impact --body disk --poisson 0.33 --speed 0.2 --cutoff 20 --against", against)
         assert other.returncode == 3 and name in other.stderr and said in other.stderr
 
 

@@ -13,16 +13,16 @@ FORMATS = {row.split("|")[1].strip(): row.split("|")[2].strip(" `") for row in r
 COARSE = "--speed 0.1 --tolerance 0.05"
 SPHERE = "--body sphere --poisson 0.3"
 KINDS = {
-    "modes": "modes --poisson 0.33 --cutoff 3",
-    "impact": "impact --poisson 0.33 --speed 0.1 --cutoff 6",
-    "bounce": "bounce --poisson 0.33 --speed 0.1 --cutoff 6 --count 2 --flight-time 10",
-    "restitution": f"restitution --poisson 0.33 {COARSE}",
+    "modes": "modes --body disk --poisson 0.33 --cutoff 3",
+    "impact": "impact --body disk --poisson 0.33 --speed 0.1 --cutoff 6",
+    "bounce": "bounce --body disk --poisson 0.33 --speed 0.1 --cutoff 6 --count 2 --flight-time 10",
+    "restitution": f"restitution --body disk --poisson 0.33 {COARSE}",
     "oblique": f"oblique {SPHERE} --speed 0.01 --friction 0.1 --tangential 0.002",
-    "distribution": "distribution --poisson 0.33 --speed 0.1 --spectrum 2,0,energy=0.1 --samples 2",
-    "quasistatic": "quasistatic --poisson 0.33 --speed 1e-6",
+    "distribution": "distribution --body disk --poisson 0.33 --speed 0.1 --spectrum 2,0,energy=0.1 --samples 2",
+    "quasistatic": "quasistatic --body disk --poisson 0.33 --speed 1e-6",
     "predict": "predict --body sphere --material 'structural steel' --radius 0.005 --speed 1 --against half-space,material=glass",
     "materials": "materials",
-    "table": "table --poisson 0.33 --speed 0.09:0.1 --error 0.05",
+    "table": "table --body disk --poisson 0.33 --speed 0.09:0.1 --error 0.05",
 }
 
 
@@ -83,7 +83,7 @@ def test_a_later_body_file_is_refused(stoss, tmp_path):
 
 def test_a_file_of_another_stoss_is_not_continued(stoss, tmp_path):
     file = tmp_path / "rows.csv"
-    words = f"restitution --poisson 0.33 {COARSE} --format csv"
+    words = f"restitution --body disk --poisson 0.33 {COARSE} --format csv"
     stoss.run(words, f"--resume {file}")
     file.write_text(file.read_text().replace(f"# stoss {version(stoss)}", "# stoss 99.0.0", 1))
     done = stoss.run(words, f"--resume {file}")

@@ -8,7 +8,7 @@ from conftest import number, resume, rows
 
 pytestmark = pytest.mark.numbers
 
-BODIES = {"sphere": ("--body sphere --poisson 0.3", "half-space"), "disk": ("--poisson 0.33", "half-plane")}
+BODIES = {"sphere": ("--body sphere --poisson 0.3", "half-space"), "disk": ("--body disk --poisson 0.33", "half-plane")}
 STEEL = "--body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.005"
 GLASS = "half-space,poisson=0.23,young=7e10,density=2500"
 
@@ -56,14 +56,14 @@ def test_si_is_the_ratios(stoss):
 
 @pytest.mark.parametrize("plane", ["stress", "strain"])
 def test_si_is_the_ratios_in_a_plane(stoss, plane):
-    disk = f"--poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --plane {plane}"
+    disk = f"--body disk --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --plane {plane}"
     (si,) = stoss.data("restitution --speed 10", disk, "--against half-plane,poisson=0.23,young=7e10,density=2500")
     strain = plane == "strain"
     one, other = (e / (1 - nu**2) if strain else e for e, nu in ((2.1e11, 0.3), (7e10, 0.23)))
     nu1, nu2 = (nu / (1 - nu) if strain else nu for nu in (0.3, 0.23))
     ratios = f"half-plane,poisson={nu2!r},young={other / one!r},density={2500 / 7850!r}"
     speed = 10 / math.sqrt(one / 7850)
-    (own,) = stoss.data(f"restitution --poisson {nu1!r} --speed {speed!r} --against {ratios}")
+    (own,) = stoss.data(f"restitution --body disk --poisson {nu1!r} --speed {speed!r} --against {ratios}")
     assert number(si, "restitution") == pytest.approx(number(own, "restitution"), rel=1e-9)
 
 
@@ -176,20 +176,20 @@ def test_loss_time_of_a_half_space_in_si_is_in_seconds(stoss):
 
 @pytest.mark.parametrize("poisson", ["-0.95", "-0.4873", "0.995"])
 def test_half_planes_have_the_poissons_ratios_of_disks(stoss, poisson):
-    (row,) = stoss.data(f"restitution --poisson 0.3 --speed 0.1 --tolerance 1e-2 --against half-plane,poisson={poisson}")
+    (row,) = stoss.data(f"restitution --body disk --poisson 0.3 --speed 0.1 --tolerance 1e-2 --against half-plane,poisson={poisson}")
     assert row["converged"] == "true" and number(row, "lost_to_second") > number(row, "lost_to_first") > 0
 
 
 SPHERE = "--body sphere --poisson 0.3"
 REFUSED = [
     (f"{SPHERE} --against half-plane", "against", "allowed wall, same, sphere, half-space, plate or modal"),
-    ("--poisson 0.3 --against half-space", "against", "allowed wall, same, disk, half-plane or strip"),
+    ("--body disk --poisson 0.3 --against half-space", "against", "allowed wall, same, disk, half-plane or strip"),
     ("--body rod --against half-space", "against", "allowed wall, same or rod"),
     (f"{SPHERE} --against halfspace", "against", "did you mean half-space?"),
     (f"{SPHERE} --against half-space,radius=2", "against", "young, density, loss_time, yield, material with half-space"),
-    ("--poisson 0.3 --against half-plane,yield=1e9", "against", "young, density, loss_time, material with half-plane"),
+    ("--body disk --poisson 0.3 --against half-plane,yield=1e9", "against", "young, density, loss_time, material with half-plane"),
     (f"{SPHERE} --against half-space,poisson=0.5", "against poisson", "0.5, allowed -0.95 to 0.4999"),
-    ("--poisson 0.3 --against half-plane,poisson=-0.96", "against poisson", "got -0.96, allowed -0.95 to 0.995"),
+    ("--body disk --poisson 0.3 --against half-plane,poisson=-0.96", "against poisson", "got -0.96, allowed -0.95 to 0.995"),
     (f"{SPHERE} --against half-space,young=0", "against young", "0"),
     (f"{SPHERE} --against half-space,young=-1", "against young", "-1"),
     (f"{SPHERE} --against half-space,density=nan", "against density", "nan"),
@@ -204,8 +204,8 @@ REFUSED = [
     (f"{SPHERE} --against half-space,loss_time=nan", "against loss_time", "nan"),
     (f"{SPHERE} --rigid-body", "rigid", "against wall, allowed only against an elastic sphere, half-space, plate or modal"),
     (f"{SPHERE} --rigid-body --against same", "rigid", "against same"),
-    ("--poisson 0.3 --rigid-body", "rigid", "allowed only against an elastic disk, half-plane or strip"),
-    ("--body rod --rigid-body", "rigid-body", "--body rod, allowed only with --body disk or sphere"),
+    ("--body disk --poisson 0.3 --rigid-body", "rigid", "allowed only against an elastic disk, half-plane or strip"),
+    ("--body rod --rigid-body", "rigid-body", "--body rod, allowed only with --body sphere or disk"),
 ]
 
 

@@ -10,21 +10,21 @@ import time
 import pytest
 from conftest import rows, wait_for_rows
 
-NU = "--poisson 0.33 --speed 0.1"
+NU = "--body disk --poisson 0.33 --speed 0.1"
 # Every way to write a file.
 WAYS = [
     *[f"{job} --format {form} -o" for form in ("table", "csv", "json") for job in (
-        "modes --poisson 0.33 --cutoff 3", f"impact {NU} --cutoff 12.5",
+        "modes --body disk --poisson 0.33 --cutoff 3", f"impact {NU} --cutoff 12.5",
         f"bounce {NU} --cutoff 4 --flight-time 30 --count 2",
         f"restitution {NU} --tolerance 0.1", f"distribution {NU} --spectrum 2,0,energy=0.1 --samples 2 --error 0.1",
-        "quasistatic --poisson 0.33 --speed 0.01", "quasistatic --poisson 0.33 --compression 0.01",
+        "quasistatic --body disk --poisson 0.33 --speed 0.01", "quasistatic --poisson 0.33 --compression 0.01",
     )],
     f"impact {NU} --cutoff 12.5 --trajectory", f"restitution {NU} --tolerance 0.1 --resume",
     f"distribution {NU} --spectrum 2,0,energy=0.1 --samples 2 --error 0.1 --resume",
-    "table --poisson 0.33 --speed 0.01:0.1 --error 0.1 -o",
+    "table --body disk --poisson 0.33 --speed 0.01:0.1 --error 0.1 -o",
 ]  # fmt: skip
 # Its first row takes seconds.
-SLOW = "restitution --poisson -0.95 --speed 1,0.9 --tolerance 1e-4"
+SLOW = "restitution --body disk --poisson -0.95 --speed 1,0.9 --tolerance 1e-4"
 
 
 def fails(result, *words):
@@ -67,9 +67,9 @@ def test_replaced_as_a_whole(stoss, tmp_path, way):
 @pytest.mark.parametrize("job", [
     f"bounce {NU} --flight-time 1 --mode 2,99,energy=0.1", f"restitution {NU} --mode 2,0,energy=-1",
     f"distribution {NU} --spectrum 2,0,energy=-1", f"impact {NU} --mode 2,99,energy=0.1",
-    f"impact {NU} --nodes 1", "modes --poisson 7", "quasistatic --poisson 7 --speed 0.1",
-    f"restitution {NU} --tolerance 7", "restitution --poisson 0.33,7 --speed 0.1", f"restitution {NU},7",
-    "table --poisson 0.33 --speed 0.01:0.1 --error 7",
+    f"impact {NU} --nodes 1", "modes --body disk --poisson 7", "quasistatic --poisson 7 --speed 0.1",
+    f"restitution {NU} --tolerance 7", "restitution --body disk --poisson 0.33,7 --speed 0.1", f"restitution {NU},7",
+    "table --body disk --poisson 0.33 --speed 0.01:0.1 --error 7",
 ])  # fmt: skip
 @pytest.mark.parametrize("there", [True, False])
 def test_bad_input(stoss, tmp_path, job, there):
@@ -144,7 +144,7 @@ def test_replaced_rows_are_locked(stoss, tmp_path, there):
     path = tmp_path / "x.csv"
     if there:
         path.write_text("precious\n")
-    long = "restitution --poisson 0.33 --speed log:1e-3:0.3:100000 --threads 1 --format csv -o"
+    long = "restitution --body disk --poisson 0.33 --speed log:1e-3:0.3:100000 --threads 1 --format csv -o"
     process = stoss.start(f"{long} {path}", stderr=subprocess.DEVNULL)
     wait_until_locked(process, path)
     fails(stoss.run(WAYS[0], str(path)), "is writing it")
@@ -158,7 +158,7 @@ def test_replaced_rows_are_locked(stoss, tmp_path, there):
 
 
 @pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
-@pytest.mark.parametrize("way", [WAYS[0], WAYS[8], "table --poisson 0.33 --speed 1e-4:0.3 -o"])
+@pytest.mark.parametrize("way", [WAYS[0], WAYS[8], "table --body disk --poisson 0.33 --speed 1e-4:0.3 -o"])
 def test_folder_that_is_read_only(stoss, tmp_path, way):
     folder = tmp_path / "folder"
     folder.mkdir()

@@ -13,7 +13,7 @@ from test_kept_files import NU, WAYS, fails, wait_until_locked
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="Windows keeps what is open")
 
-LONG = "restitution --poisson 0.33 --speed log:1e-3:0.3:100000 --threads 1"
+LONG = "restitution --body disk --poisson 0.33 --speed log:1e-3:0.3:100000 --threads 1"
 MARK = "# interrupted: the rows above are complete, later ones are missing\n"
 
 
@@ -100,7 +100,7 @@ def test_no_kept_file_is_overwritten(stoss, tmp_path):
 def test_changed_before_the_first_new_row(stoss, tmp_path):
     """What another has added to the rows of an earlier run is not cut off."""
     path = tmp_path / "curve.csv"
-    slow = "restitution --poisson -0.95 --speed 0.1,1 --tolerance 1e-4"  # its second row takes seconds
+    slow = "restitution --body disk --poisson -0.95 --speed 0.1,1 --tolerance 1e-4"  # its second row takes seconds
     process = stoss.start(f"{slow} --resume {path}")
     wait_for_rows(process, path, 1)
     process.kill()

@@ -51,7 +51,7 @@ def test_help_is_wrapped_to_the_terminal(stoss, name):
     assert len(texts[120].splitlines()) <= len(plain.splitlines()) <= len(texts[60].splitlines())
 
 
-@pytest.mark.parametrize("words", ["materials", "restitution --poisson 0.33 --speed 0.1"])
+@pytest.mark.parametrize("words", ["materials", "restitution --body disk --poisson 0.33 --speed 0.1"])
 def test_columns_of_tables_stand_apart(stoss, words):
     lines = stoss.run(words).stdout.splitlines()
     assert max(map(len, lines)) <= 80
@@ -150,7 +150,7 @@ def test_a_trajectory_has_the_units_of_its_inputs(stoss, tmp_path):
         scale = 0.001 if unit == "R" else float(given["R/c[s]"])
         assert row[si] == pytest.approx(scale * row[f"{name}[{unit}]"], rel=1e-12)
     # Without a material there is nothing to be in SI.
-    assert stoss.run(f"impact --poisson 0.33 --speed 0.1 --cutoff 6 --quiet --trajectory {path}").returncode == 0
+    assert stoss.run(f"impact --body disk --poisson 0.33 --speed 0.1 --cutoff 6 --quiet --trajectory {path}").returncode == 0
     assert "_si" not in path.read_text()
 
 

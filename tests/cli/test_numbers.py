@@ -4,22 +4,22 @@ import subprocess
 
 import pytest
 
-IMPACT = "impact --poisson 0.33 --speed 0.1 --cutoff 12.5 --quiet"
-SLOW = "quasistatic --poisson 0.33"
-CURVE = "restitution --poisson 0.33 --speed 0.1"
-STEEL = "modes --poisson 0.3 --young 2e11 --density 7850 --radius 0.01"
+IMPACT = "impact --body disk --poisson 0.33 --speed 0.1 --cutoff 12.5 --quiet"
+SLOW = "quasistatic --body disk --poisson 0.33"
+CURVE = "restitution --body disk --poisson 0.33 --speed 0.1"
+STEEL = "modes --body disk --poisson 0.3 --young 2e11 --density 7850 --radius 0.01"
 # Every option with a number: a base without it.
 NUMERIC = [
-    ("modes", "--poisson"), ("modes --poisson 0.3", "--cutoff"), ("restitution --speed 0.1", "--poisson"),
-    ("restitution --poisson 0.3", "--speed"), (CURVE, "--tolerance"), (CURVE, "--threads"),
+    ("modes", "--poisson"), ("modes --body disk --poisson 0.3", "--cutoff"), ("restitution --speed 0.1", "--poisson"),
+    ("restitution --body disk --poisson 0.3", "--speed"), (CURVE, "--tolerance"), (CURVE, "--threads"),
     (STEEL.replace("--young 2e11", ""), "--young"), (STEEL.replace("--density 7850", ""), "--density"),
     (STEEL.replace("--radius 0.01", ""), "--radius"), (IMPACT.replace("--speed 0.1", ""), "--speed"),
-    (IMPACT.replace("--poisson 0.33", ""), "--poisson"), (IMPACT.replace("--cutoff 12.5", ""), "--cutoff"),
+    (IMPACT.replace("--body disk --poisson 0.33", ""), "--poisson"), (IMPACT.replace("--cutoff 12.5", ""), "--cutoff"),
     (IMPACT, "--step"), (IMPACT, "--nodes"), (IMPACT, "--every"), (SLOW, "--speed"), (SLOW, "--compression"),
     (f"{SLOW} --speed 0.1", "--cutoff"),
 ]  # fmt: skip
 OTHER = [
-    ("modes --poisson 0.3", "--output"), ("modes --poisson 0.3", "--format"), (STEEL, "--plane"),
+    ("modes --body disk --poisson 0.3", "--output"), ("modes --poisson 0.3", "--format"), (STEEL, "--plane"),
     (IMPACT, "--trajectory"), (IMPACT, "--against"), (IMPACT, "--body"), (IMPACT, "--tail"), (CURVE, "--resume"),
     (f"{SLOW} --speed 0.1", "--law"),
 ]  # fmt: skip
@@ -72,13 +72,13 @@ def test_range_that_is_shown_is_allowed(stoss):
 @pytest.mark.parametrize(
     "words, meant",
     [
-        ("restituton --poisson 0.3", "restitution"),
+        ("restituton --body disk --poisson 0.3", "restitution"),
         ("mode", "modes"),
-        ("quasi --poisson 0.3", "quasistatic"),
+        ("quasi --body disk --poisson 0.3", "quasistatic"),
         ("impact --poison 0.3 --speed 0.1", "--poisson"),
-        ("impact --poisson 0.3 --sped=0.1", "--speed"),
-        ("restitution --poisson 0.3 --speed 0.1 --tol 1e-4", "--tolerance"),
-        ("modes --poisson 0.3 cutoff 3", "--cutoff"),
+        ("impact --body disk --poisson 0.3 --sped=0.1", "--speed"),
+        ("restitution --body disk --poisson 0.3 --speed 0.1 --tol 1e-4", "--tolerance"),
+        ("modes --body disk --poisson 0.3 cutoff 3", "--cutoff"),
     ],
 )
 def test_did_you_mean(stoss, words, meant):
@@ -89,7 +89,7 @@ def test_did_you_mean(stoss, words, meant):
 
 
 def test_no_guess_for_another_word(stoss):
-    for words in ("bounce", "modes --poisson 0.3 --colour red", "modes --poisson 0.3 -x"):
+    for words in ("bounce", "modes --body disk --poisson 0.3 --colour red", "modes --poisson 0.3 -x"):
         assert "did you mean" not in stoss.run(words).stderr
 
 

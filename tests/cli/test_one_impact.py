@@ -18,16 +18,16 @@ SOFT = "young=1e-3,density=1e3"
         f"{BALL} sphere,radius=0.03",
         f"{BALL} sphere,young=0.001",
         f"{BALL} sphere,density=1000",
-        "--poisson 0.3 --speed 0.01 --against disk,radius=20",
-        "--poisson 0.3 --speed 0.01 --against disk,radius=300",
-        "--poisson 0.3 --speed 0.01 --against disk,radius=0.03",  # at 50 c/R of the first it had hardly any modes
-        "--poisson 0.3 --speed 0.01 --against disk,young=0.001",
-        "--poisson 0.3 --speed 0.01 --against disk,density=1000",
+        "--body disk --poisson 0.3 --speed 0.01 --against disk,radius=20",
+        "--body disk --poisson 0.3 --speed 0.01 --against disk,radius=300",
+        "--body disk --poisson 0.3 --speed 0.01 --against disk,radius=0.03",  # at 50 c/R of the first it had hardly any modes
+        "--body disk --poisson 0.3 --speed 0.01 --against disk,young=0.001",
+        "--body disk --poisson 0.3 --speed 0.01 --against disk,density=1000",
         "--body rod --speed 0.01 --against rod,length=0.01",
         "--body sphere --radius 0.005 --material glass --rigid-body --speed 0.1 "
         "--against sphere,radius=0.005,material=rubber",
         # longer than Hertz' contact on what is so soft and heavy
-        f"--poisson 0.3 --speed 0.0005 --against half-plane,{SOFT}",
+        f"--body disk --poisson 0.3 --speed 0.0005 --against half-plane,{SOFT}",
         f"--body sphere --poisson 0.3 --speed 0.0005 --against half-space,{SOFT}",
         # the body stays
         "--body sphere --poisson -0.191 --speed 0.175 --against plate,thickness=0.0668,young=24.9,density=2.47",

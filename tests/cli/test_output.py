@@ -15,12 +15,12 @@ from conftest import rows, wait_for_rows, wait_until_caught
 pytestmark = pytest.mark.numbers
 
 # Minutes of work.
-LONG = "restitution --poisson 0.33 --speed log:1e-3:0.3:100000 --threads 2"
+LONG = "restitution --body disk --poisson 0.33 --speed log:1e-3:0.3:100000 --threads 2"
 
 
 def test_output_file(stoss, tmp_path):
     path = tmp_path / "modes.csv"
-    result = stoss.run(f"modes --poisson 0.33 --cutoff 3 --format csv -o {path}")
+    result = stoss.run(f"modes --body disk --poisson 0.33 --cutoff 3 --format csv -o {path}")
     assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
     assert len(rows(path.read_text())) == 6
 
@@ -30,7 +30,7 @@ def test_output_file(stoss, tmp_path):
 def test_full_disk(stoss, subcommand, form):
     with open("/dev/full", "w") as full:
         result = subprocess.run(
-            [stoss.path, *f"{subcommand} --poisson 0.33 --format {form}".split()],
+            [stoss.path, *f"{subcommand} --body disk --poisson 0.33 --format {form}".split()],
             stdout=full,
             stderr=subprocess.PIPE,
             text=True,
@@ -43,14 +43,14 @@ def test_full_disk(stoss, subcommand, form):
 
 @pytest.mark.parametrize("option", ["-o", "--trajectory"])
 def test_unwritable_file(stoss, tmp_path, option):
-    result = stoss.run(f"impact --poisson 0.33 --speed 0.1 {option} {tmp_path}/no/such/folder/x.csv")
+    result = stoss.run(f"impact --body disk --poisson 0.33 --speed 0.1 {option} {tmp_path}/no/such/folder/x.csv")
     assert result.returncode == 4
     (line,) = result.stderr.splitlines()
     assert "cannot write" in line and "x.csv" in line
 
 
 def test_closed_pipe(stoss):
-    command = stoss.start("modes --poisson 0.33 --cutoff 200", stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    command = stoss.start("modes --body disk --poisson 0.33 --cutoff 200", stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     assert command.stdout.readline().split()[0] == "order"
     command.stdout.close()
     assert command.stderr.read() == ""
@@ -59,7 +59,7 @@ def test_closed_pipe(stoss):
 
 def test_closed_pipe_where_the_signal_is_ignored(stoss):
     command = subprocess.Popen(
-        [stoss.path, *"modes --poisson 0.33 --cutoff 200".split()],
+        [stoss.path, *"modes --body disk --poisson 0.33 --cutoff 200".split()],
         preexec_fn=lambda: signal.signal(signal.SIGPIPE, signal.SIG_IGN),
         restore_signals=False,
         stdout=subprocess.PIPE,
@@ -112,7 +112,7 @@ def test_kill_leaves_whole_rows(stoss, tmp_path):
 def test_interrupt_of_a_trajectory(stoss, tmp_path):
     """Its file appears at the end, with what rows there are; so many rows are kept beside it before."""
     path = tmp_path / "t.csv"
-    arguments = f"impact --poisson 0.33 --speed 0.1 --step 5e-6 --nodes 16 --cutoff 2 --trajectory {path}"
+    arguments = f"impact --body disk --poisson 0.33 --speed 0.1 --step 5e-6 --nodes 16 --cutoff 2 --trajectory {path}"
     command = stoss.start(arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     while not os.listdir(tmp_path):
         assert command.poll() is None
@@ -125,7 +125,7 @@ def test_interrupt_of_a_trajectory(stoss, tmp_path):
 def test_refused_impact_leaves_the_trajectory_alone(stoss, tmp_path):
     path = tmp_path / "t.csv"
     path.write_text("precious")
-    assert stoss.run(f"impact --poisson 0.33 --speed 0.1 --step 7 --trajectory {path}").returncode == 3
+    assert stoss.run(f"impact --body disk --poisson 0.33 --speed 0.1 --step 7 --trajectory {path}").returncode == 3
     assert path.read_text() == "precious"
 
 
@@ -136,18 +136,18 @@ def test_help_to_a_full_disk(stoss, option):
 
 
 def test_dash_is_stdout(stoss, tmp_path):
-    assert stoss.run("modes --poisson 0.33 --cutoff 3 -o -").stdout.startswith("  order")
+    assert stoss.run("modes --body disk --poisson 0.33 --cutoff 3 -o -").stdout.startswith("  order")
 
 
 def test_no_progress_bar_off_a_terminal(stoss, tmp_path):
-    result = stoss.run(f"restitution --poisson 0.33 --speed 0.05,0.1 -o {tmp_path}/x")
+    result = stoss.run(f"restitution --body disk --poisson 0.33 --speed 0.05,0.1 -o {tmp_path}/x")
     assert result.stderr == ""
 
 
 @pytest.mark.parametrize("more, status", [("", 0), ("--tolerance 1e-12 --absolute 0", 1), ("--quiet", 0)])
 def test_progress_bar_on_a_terminal(stoss, tmp_path, more, status):
     terminal, end = pty.openpty()
-    command = stoss.start(f"restitution --poisson 0.33,0.2 --speed 0.1 -o {tmp_path}/x {more}", stderr=end)
+    command = stoss.start(f"restitution --body disk --poisson 0.33,0.2 --speed 0.1 -o {tmp_path}/x {more}", stderr=end)
     os.close(end)
     text = ""
     try:
@@ -169,7 +169,7 @@ def test_a_long_value_shows_what_it_has_come_to(stoss, more):
     terminal, end = pty.openpty()
     # Several seconds of work; it is interrupted as soon as it has said something.
     command = stoss.start(
-        f"restitution --poisson -0.95 --speed 1 --tolerance 1e-4 {more}", stdout=subprocess.DEVNULL, stderr=end
+        f"restitution --body disk --poisson -0.95 --speed 1 --tolerance 1e-4 {more}", stdout=subprocess.DEVNULL, stderr=end
     )
     os.close(end)
     text, shown = "", False
@@ -188,15 +188,15 @@ def test_a_long_value_shows_what_it_has_come_to(stoss, more):
 
 
 def test_table_fits_80_columns(stoss):
-    text = stoss.run("restitution --poisson 0.33 --speed 0.1,1e-8").stdout
+    text = stoss.run("restitution --body disk --poisson 0.33 --speed 0.1,1e-8").stdout
     assert max(map(len, text.splitlines())) <= 80
     assert all(line == line.rstrip() for line in text.splitlines())
-    steel = "--poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --speed 1e-3,10"
+    steel = "--body disk --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --speed 1e-3,10"
     assert max(map(len, stoss.run("restitution", steel).stdout.splitlines())) <= 80
 
 
 def test_many_threads_for_few_speeds(stoss):
-    assert len(stoss.data("restitution --poisson 0.33 --speed 0.1 --threads 64")) == 1
+    assert len(stoss.data("restitution --body disk --poisson 0.33 --speed 0.1 --threads 64")) == 1
 
 
 def documents(stoss):

@@ -11,7 +11,7 @@ import pytest
 
 pytestmark = pytest.mark.numbers
 
-DISKS = "table --poisson 0.33 --speed 0.01:0.2 --against same --ratio 1:2 --error 5e-3"
+DISKS = "table --body disk --poisson 0.33 --speed 0.01:0.2 --against same --ratio 1:2 --error 5e-3"
 WARNINGS = "-pedantic -Wall -Wextra -Wconversion -Wshadow -Wfloat-equal -Werror".split()
 PROGRAM = """#include "pairs.h"
 #include "other.h"
@@ -104,6 +104,6 @@ def test_table_is_what_restitution_says(stoss):
     ],
 )
 def test_what_makes_no_table_is_refused(stoss, more, said):
-    result = stoss.run("table --poisson 0.33 --speed 0.1:0.2", more)
+    result = stoss.run("table --body disk --poisson 0.33 --speed 0.1:0.2", more)
     assert result.returncode in (2, 3) and result.stdout == ""
     assert said in result.stderr and "allowed" in result.stderr

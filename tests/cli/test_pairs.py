@@ -9,10 +9,10 @@ from conftest import number, rows
 
 pytestmark = pytest.mark.numbers
 
-DISK = "restitution --poisson 0.33 --speed 0.2"
-STEEL = "--poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01"
+DISK = "restitution --body disk --poisson 0.33 --speed 0.2"
+STEEL = "--body disk --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01"
 GLASS = "poisson=0.22,young=7e10,density=2500,radius=0.02"
-PAIR_IMPACT = "impact --poisson 0.33 --speed 0.2 --cutoff 25 --against disk,radius=2"
+PAIR_IMPACT = "impact --body disk --poisson 0.33 --speed 0.2 --cutoff 25 --against disk,radius=2"
 
 
 @pytest.mark.parametrize(
@@ -26,7 +26,7 @@ def test_disks_agree_with_finite_elements(stoss, against, known, uncertainty):
 
 # Finite elements of a disk on a half-plane: 0.67529(1).
 def test_a_disk_of_thousand_times_the_radius_is_a_half_plane(stoss):
-    (row,) = stoss.data("restitution --poisson 0.33 --speed 0.1 --against disk,radius=1000")
+    (row,) = stoss.data("restitution --body disk --poisson 0.33 --speed 0.1 --against disk,radius=1000")
     assert abs(number(row, "lost_fraction") - 0.67529) <= number(row, "lost_fraction_error") + 1e-5
     lost = number(row, "lost_to_first") + number(row, "lost_to_second")
     assert lost == pytest.approx(number(row, "lost_fraction"), rel=1e-12)
@@ -35,7 +35,7 @@ def test_a_disk_of_thousand_times_the_radius_is_a_half_plane(stoss):
 @pytest.mark.parametrize("against", ["same", "disk", "disk,poisson=0.33,radius=1,young=1,density=1"])
 def test_equal_disks_are_the_wall_at_half_the_speed(stoss, against):
     (pair,) = stoss.data(DISK, "--against", against)
-    (wall,) = stoss.data("restitution --poisson 0.33 --speed 0.1 --against wall")
+    (wall,) = stoss.data("restitution --body disk --poisson 0.33 --speed 0.1 --against wall")
     for name in ("restitution", "lost_fraction", "contact_time"):
         assert number(pair, name) == pytest.approx(number(wall, name), rel=1e-12)
     half = number(wall, "lost_to_first") / 2
@@ -61,7 +61,7 @@ def test_who_is_first_does_not_matter(stoss):
     (here,) = stoss.data(DISK, "--against disk,poisson=0.2,radius=0.5,young=2,density=3")
     there_speed = 0.2 / math.sqrt(2 / 3)
     (there,) = stoss.data(
-        f"restitution --poisson 0.2 --speed {there_speed!r}",
+        f"restitution --body disk --poisson 0.2 --speed {there_speed!r}",
         f"--against disk,poisson=0.33,radius=2,young=0.5,density={1 / 3!r}",
     )
     assert abs(number(here, "restitution") - number(there, "restitution")) <= number(here, "restitution_error")
@@ -81,7 +81,7 @@ def test_two_materials_are_their_ratios(stoss, plane):
 
     young, c = modulus(7e10, 0.22) / modulus(2.1e11, 0.3), math.sqrt(modulus(2.1e11, 0.3) / 7850)
     against = f"disk,poisson={in_plane(0.22)!r},radius=2,young={young!r},density={2500 / 7850!r}"
-    (ratios,) = stoss.data(f"restitution --poisson {in_plane(0.3)!r} --speed {20 / c!r} --against {against}")
+    (ratios,) = stoss.data(f"restitution --body disk --poisson {in_plane(0.3)!r} --speed {20 / c!r} --against {against}")
     assert number(si, "restitution") == pytest.approx(number(ratios, "restitution"), abs=1e-11)
     assert float(si["speed_si[m/s]"]) == pytest.approx(20)
     scale = {"contact_time_si[s]": 0.01 / c, "max_compression_si[m]": 0.01}
@@ -96,8 +96,8 @@ def test_same_of_a_material(stoss):
 
 
 def test_poisson_number_of_the_second_follows_the_first(stoss):
-    table = stoss.data("restitution --poisson 0.2,0.33 --speed 0.2 --against disk,radius=2")
-    (alone,) = stoss.data("restitution --poisson 0.2 --speed 0.2 --against disk,radius=2,poisson=0.2")
+    table = stoss.data("restitution --body disk --poisson 0.2,0.33 --speed 0.2 --against disk,radius=2")
+    (alone,) = stoss.data("restitution --body disk --poisson 0.2 --speed 0.2 --against disk,radius=2,poisson=0.2")
     assert table[0] == alone and number(table[1], "restitution") < number(table[0], "restitution")
 
 
@@ -143,7 +143,7 @@ def test_inputs_describe_both(stoss):
     assert steel["against_radius[m]"] == 0.02 and steel["against_material_young[Pa]"] == 7e10
     rod = inputs("impact --body rod --speed 0.1 --against rod,length=2")
     assert (rod["body"], rod["against_length"], rod["against_area"]) == ("rod", 2, 1) and "poisson" not in rod
-    soft = inputs("impact --poisson 0.3 --speed 0.1 --cutoff 12.5 --against exponential,hardness=300")
+    soft = inputs("impact --body disk --poisson 0.3 --speed 0.1 --cutoff 12.5 --against exponential,hardness=300")
     assert (soft["against"], soft["against_hardness"], soft["against_strength"]) == ("exponential", 300, 1)
 
 

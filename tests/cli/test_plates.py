@@ -43,7 +43,7 @@ def test_si_is_a_matter_of_units(stoss):
 
 
 def test_a_strip_in_plane_strain(stoss):
-    said = inputs(stoss, "restitution --material 'structural steel' --radius 0.01 --plane strain --speed 10 --tolerance 0.05",
+    said = inputs(stoss, "restitution --body disk --material 'structural steel' --radius 0.01 --plane strain --speed 10 --tolerance 0.05",
                   "--against strip,thickness=0.1,material=glass")  # fmt: skip
     assert said["against"] == "strip" and said["against_thickness[m]"] == 0.1
     assert said["against_poisson"] == pytest.approx(0.22 / 0.78)

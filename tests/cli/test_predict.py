@@ -68,7 +68,7 @@ def test_table_is_the_prediction(stoss):
 
 def test_refuses_in_one_line(stoss):
     for arguments, said in (
-        ("--poisson 0.3 --young 2e11 --density 7800 --radius 0.01 --speed 1", "body: got a disk"),
+        ("--body disk --poisson 0.3 --young 2e11 --density 7800 --radius 0.01 --speed 1", "body: got a disk"),
         ("--body sphere --poisson 0.3 --speed 0.1", "material: missing"),
         (f"{BALL} --material 'structural steel' --speed -1", "speed: got -1"),
         (f"{BALL} --material 'structural steel' --speed nan", "speed"),

@@ -13,7 +13,7 @@ import pytest
 GLASS = "--body sphere --material glass --radius 0.005 --against half-space,material=glass"
 BALL = "--body sphere --poisson 0.3"
 LONG = {  # which take minutes and more
-    "impact": "impact --poisson 0.33 --speed 1e-6 --cutoff 1000",
+    "impact": "impact --body disk --poisson 0.33 --speed 1e-6 --cutoff 1000",
     "restitution of many speeds": f"restitution {BALL} --speed lin:0.01:0.1:20000 --tolerance 1e-4",
     "oblique at many speeds": f"oblique {BALL} --speed lin:0.01:0.1:20000 --friction 0.1 --angle 30 --against half-space",
     "distribution": f"distribution {BALL} --speed 0.1 --temperature 0.1 --samples 1000000",

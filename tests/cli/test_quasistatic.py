@@ -7,9 +7,9 @@ import pytest
 from conftest import number
 
 NU = 0.33
-IMPACT = f"quasistatic --poisson {NU} --speed"
-CONTACT = f"quasistatic --poisson {NU} --compression"
-STEEL = "quasistatic --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01"
+IMPACT = f"quasistatic --body disk --poisson {NU} --speed"
+CONTACT = f"quasistatic --body disk --poisson {NU} --compression"
+STEEL = "quasistatic --body disk --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01"
 BAR_SPEED = math.sqrt(2.1e11 / 7850)
 # Scale and offset of δ = F (ln(scale/F) − offset).
 LAWS = {"center": (1.0, 0.25 * (1 + NU)), "diameter": (4.0, 1.0)}
@@ -85,7 +85,7 @@ def test_contact_time_is_its_series(stoss):
 def test_modes_have_the_lost_energy(stoss):
     document = json.loads(stoss.run(f"{IMPACT} 1e-4 --cutoff 20 --format json").stdout)
     (record,) = document["records"]
-    known = {(mode["order"], mode["index"]): mode for mode in stoss.data(f"modes --poisson {NU} --cutoff 20")}
+    known = {(mode["order"], mode["index"]): mode for mode in stoss.data(f"modes --body disk --poisson {NU} --cutoff 20")}
     assert len(document["modes"]) == record["modes"] == len(known)
     for mode in document["modes"]:
         at_edge = float(known[str(mode["order"]), str(mode["index"])]["radial"])
@@ -97,7 +97,7 @@ def test_modes_have_the_lost_energy(stoss):
 
 
 def test_estimate_is_near_the_full_solution(stoss):
-    (full,) = stoss.data(f"restitution --poisson {NU} --speed 1e-6")
+    (full,) = stoss.data(f"restitution --body disk --poisson {NU} --speed 1e-6")
     (row,) = stoss.data(f"{IMPACT} 1e-6")
     assert abs(number(row, "lost_fraction") - number(full, "lost_fraction")) < number(row, "lost_fraction_error")
     for name, share in (("contact_time", 0.02), ("max_compression", 0.02), ("max_force", 0.02)):
@@ -154,7 +154,7 @@ def test_si(stoss):
 
 def test_plane_strain_is_another_poisson_number(stoss):
     c = math.sqrt(1e10 / (1 - 0.25**2) / 2500)
-    solid = "quasistatic --poisson 0.25 --young 1e10 --density 2500 --radius 1 --plane strain"
+    solid = "quasistatic --body disk --poisson 0.25 --young 1e10 --density 2500 --radius 1 --plane strain"
     (strain,) = stoss.data(f"{solid} --speed {0.001 * c!r}")
-    (plane,) = stoss.data(f"quasistatic --poisson {0.25 / 0.75!r} --speed 0.001")
+    (plane,) = stoss.data(f"quasistatic --body disk --poisson {0.25 / 0.75!r} --speed 0.001")
     assert number(strain, "lost_fraction") == pytest.approx(number(plane, "lost_fraction"), rel=1e-9)

@@ -11,9 +11,9 @@ from conftest import number, rows, wait_for_rows
 pytestmark = pytest.mark.numbers
 
 NU = 0.33
-IMPACT = f"quasistatic --poisson {NU} --speed"
-CONTACT = f"quasistatic --poisson {NU} --compression"
-STEEL = "quasistatic --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01"
+IMPACT = f"quasistatic --body disk --poisson {NU} --speed"
+CONTACT = f"quasistatic --body disk --poisson {NU} --compression"
+STEEL = "quasistatic --body disk --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01"
 
 
 @pytest.mark.parametrize("job, columns", [
@@ -90,9 +90,9 @@ BAD_VALUES = [
     (f"{CONTACT} nan", "compression", "nan"),
     (f"{CONTACT} 0.1,", "compression", "0.1,"),
     (f"{CONTACT} 0.1 --cutoff 30", "cutoff", "--compression"),
-    ("quasistatic --poisson -0.95 --law diameter --compression 0.51", "compression", "0.51, allowed 1e-12 to 0.443147 R"),
+    ("quasistatic --body disk --poisson -0.95 --law diameter --compression 0.51", "compression", "0.51, allowed 1e-12 to 0.443147 R"),
     (f"{STEEL} --compression 0.01", "compression", "0.01, allowed 1e-14 to 0.0026"),
-    ("quasistatic --poisson 1 --speed 0.1", "poisson", "1"),
+    ("quasistatic --body disk --poisson 1 --speed 0.1", "poisson", "1"),
     ("quasistatic --poisson nan --compression 0.1", "poisson", "nan"),
     (f"{IMPACT} 0.1 --young 1e9", "material", "disk without density"),
     (f"{IMPACT} 0.1 --law hertz", "law", "hertz with --body disk, allowed center or diameter"),
@@ -115,7 +115,7 @@ def test_value_out_of_range(stoss, tmp_path, arguments, name, got):
 
 
 @pytest.mark.parametrize("arguments", [
-    "quasistatic", f"quasistatic --poisson {NU}", f"{IMPACT} 0.1 --compression 0.1", f"{IMPACT} 0.1 --law linear",
+    "quasistatic", f"quasistatic --body disk --poisson {NU}", f"{IMPACT} 0.1 --compression 0.1", f"{IMPACT} 0.1 --law linear",
     f"{CONTACT} 0.1 --tolerance 1", f"{IMPACT}",
     f"{IMPACT} 0.1 --against wall", f"{IMPACT} 0.1 --body rod",
 ])  # fmt: skip
@@ -130,7 +130,7 @@ def test_usage(stoss, arguments):
 @pytest.mark.parametrize("poisson", ["-0.95", "0", "0.995"])
 @pytest.mark.parametrize("law", ["center", "diameter"])
 def test_range_ends_are_allowed(stoss, poisson, law):
-    job = f"quasistatic --poisson {poisson} --law {law}"
+    job = f"quasistatic --body disk --poisson {poisson} --law {law}"
     for option in ("--speed 9", "--compression 9"):
         refusal = stoss.run(f"{job} {option}").stderr
         low, high = (float(word) for word in refusal.split("allowed ")[1].split()[0:3:2])
@@ -141,7 +141,7 @@ def test_range_ends_are_allowed(stoss, poisson, law):
 def test_help_names_both_ways(stoss):
     text = stoss.run("quasistatic --help").stdout
     for word in ("--speed SPEEDS", "--compression DELTAS", "1e-100", "1e-12", "c (m/s", "(m with a material)", "(default: center)",
-                 "(default: 60)", "stoss quasistatic --poisson 0.33 --compression lin:"):  # fmt: skip
+                 "(default: 60)", "stoss quasistatic --body disk --poisson 0.33 --compression lin:"):  # fmt: skip
         assert word in text, word
 
 

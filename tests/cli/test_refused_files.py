@@ -17,7 +17,7 @@ INTERRUPTED = "# interrupted: the rows above are complete, later ones are missin
         (SMALL.replace("0.1,0.2", "0.1,0.2,0.3"), "speed", "0.1,0.2,0.3", "0.1,0.2"),
         (SMALL + " --tolerance 1e-2", "tolerance", "0.01", "0.001"),
         (
-            "restitution --poisson 0.33 --young 1e9 --density 1e3 --radius 1 --speed 100",
+            "restitution --body disk --poisson 0.33 --young 1e9 --density 1e3 --radius 1 --speed 100",
             "poisson",
             "0.33",
             "0.33,-0.2",
@@ -140,8 +140,8 @@ def test_bad_input_leaves_the_file_alone(stoss, tmp_path, small):
         assert path.read_text() == small[:-3]
 
 
-JOB = "restitution --poisson 0.33 --speed log:1e-3:0.1:40 --threads 1"
-LONG = "restitution --poisson 0.33 --speed log:1e-3:0.3:100000 --threads 1"
+JOB = "restitution --body disk --poisson 0.33 --speed log:1e-3:0.1:40 --threads 1"
+LONG = "restitution --body disk --poisson 0.33 --speed log:1e-3:0.3:100000 --threads 1"
 
 
 @pytest.fixture(scope="module")
@@ -178,7 +178,7 @@ def test_a_file_at_work_is_left_alone(stoss, tmp_path, writer, how, name):
     (tmp_path / "link").symlink_to("curve.csv")
     os.link(tmp_path / "curve.csv", tmp_path / "hard")
     before = (tmp_path / "curve.csv").read_text()
-    job = "impact --poisson 0.33 --speed 0.1 --trajectory" if how == "--trajectory" else f"{LONG} {how}"
+    job = "impact --body disk --poisson 0.33 --speed 0.1 --trajectory" if how == "--trajectory" else f"{LONG} {how}"
     result = stoss.run(job, str(tmp_path / name))
     assert (result.returncode, result.stdout) == (4, "")
     (line,) = result.stderr.splitlines()
@@ -204,14 +204,14 @@ def test_trajectory_and_output_in_one_file(stoss, tmp_path):
     path.write_text("precious")
     os.link(path, tmp_path / "hard")
     (tmp_path / "loose").symlink_to("none")
-    result = stoss.run("impact --poisson 0.33 --speed 0.1 -o loose --trajectory none", cwd=tmp_path)
+    result = stoss.run("impact --body disk --poisson 0.33 --speed 0.1 -o loose --trajectory none", cwd=tmp_path)
     assert result.returncode == 3 and not (tmp_path / "none").exists()
     for other in (path, tmp_path / "hard", "/proc/self/cwd/x"):
-        result = stoss.run(f"impact --poisson 0.33 --speed 0.1 -o {path} --trajectory {other}", cwd=tmp_path)
+        result = stoss.run(f"impact --body disk --poisson 0.33 --speed 0.1 -o {path} --trajectory {other}", cwd=tmp_path)
         assert result.returncode == 3
         assert path.read_text() == "precious"
     with open(path, "a") as stdout:
-        words = "impact --poisson 0.33 --speed 0.1 --trajectory /dev/stdout".split()
+        words = "impact --body disk --poisson 0.33 --speed 0.1 --trajectory /dev/stdout".split()
         assert subprocess.run([stoss.path, *words], stdout=stdout, stderr=subprocess.DEVNULL).returncode == 3
     assert path.read_text() == "precious"
 

@@ -17,23 +17,23 @@ KEYS = (
 RUN_KEYS = (
     "cutoff step nodes lost_fraction dissipated unresolved contact_time impulse_time max_force max_compression energy_error steps"
 ).split()
-SERIES = "restitution --poisson 0.33 --speed"
+SERIES = "restitution --body disk --poisson 0.33 --speed"
 
 
 def test_restitution_is_the_reference_within_its_error(stoss):
-    (row,) = stoss.data("restitution --poisson 0.33 --speed 0.1")
+    (row,) = stoss.data("restitution --body disk --poisson 0.33 --speed 0.1")
     assert abs(float(row["restitution"]) - 0.94706) <= float(row["restitution_error"]) + 1e-5
     assert row["converged"] == "true"
     assert row["beyond_small_strain"] == "false"
 
 
 def test_error_is_within_the_default_tolerance(stoss):
-    for row in stoss.data("restitution --poisson 0.33 --speed log:1e-6:0.3:6"):
+    for row in stoss.data("restitution --body disk --poisson 0.33 --speed log:1e-6:0.3:6"):
         assert float(row["lost_fraction_error"]) <= 1e-3 * float(row["lost_fraction"])
 
 
 def test_smaller_tolerance_takes_more_and_stays_within_the_error(stoss):
-    rough, fine = (stoss.data(f"restitution --poisson 0.33 --speed 0.1 --tolerance {t}")[0] for t in (1e-2, 1e-4))
+    rough, fine = (stoss.data(f"restitution --body disk --poisson 0.33 --speed 0.1 --tolerance {t}")[0] for t in (1e-2, 1e-4))
     assert int(fine["steps"]) > int(rough["steps"]) and int(fine["runs"]) > int(rough["runs"])
     for key in ("restitution", "lost_fraction", "contact_time[R/c]", "max_compression[R]", "max_force[piRE]"):
         name, bracket, unit = key.partition("[")
@@ -43,7 +43,7 @@ def test_smaller_tolerance_takes_more_and_stays_within_the_error(stoss):
 
 
 def test_formats_agree(stoss):
-    arguments = "restitution --poisson 0.33 --speed 0.05,0.2"
+    arguments = "restitution --body disk --poisson 0.33 --speed 0.05,0.2"
     table = stoss.data(arguments)
     document = json.loads(stoss.run(arguments, "--format json").stdout)
     assert document["schema"] == "stoss/restitution/2"
@@ -52,7 +52,7 @@ def test_formats_agree(stoss):
     assert document["inputs"]["speed"] == "0.05,0.2"
     assert document["inputs"]["tolerance"] == 0.001 and document["inputs"]["absolute"] == 1e-6
     assert document["units"]["contact_time"] == document["units"]["contact_time_error"] == "R/c"
-    assert document["command"].startswith("stoss restitution --poisson 0.33")
+    assert document["command"].startswith("stoss restitution --body disk --poisson 0.33")
     assert [list(record) for record in document["records"]] == 2 * [KEYS + ["ledger"]]
     assert [key.partition("[")[0] for key in table[0]] == KEYS
     for row, record in zip(table, document["records"], strict=True):
@@ -64,7 +64,7 @@ def test_formats_agree(stoss):
 
 
 def test_json_tells_how_the_value_was_reached(stoss):
-    document = json.loads(stoss.run("restitution --poisson 0.33 --speed 0.1 --format json").stdout)
+    document = json.loads(stoss.run("restitution --body disk --poisson 0.33 --speed 0.1 --format json").stdout)
     (record,) = document["records"]
     runs = record["runs"]
     assert [list(run) for run in runs] == len(runs) * [RUN_KEYS]
@@ -87,13 +87,13 @@ def test_series(stoss):
 
 
 def test_each_poisson_number_with_all_speeds(stoss):
-    table = stoss.data("restitution --poisson -0.5,0.33 --speed 0.1,0.05,0.1")
+    table = stoss.data("restitution --body disk --poisson -0.5,0.33 --speed 0.1,0.05,0.1")
     got = [(float(row["poisson"]), float(row["speed[c]"])) for row in table]
     assert got == [(poisson, speed) for poisson in (-0.5, 0.33) for speed in (0.1, 0.05, 0.1)]
     assert table[0] == table[2]
-    (alone,) = stoss.data("restitution --poisson 0.33 --speed 0.05")
+    (alone,) = stoss.data("restitution --body disk --poisson 0.33 --speed 0.05")
     assert alone["restitution"] == table[4]["restitution"]
-    series = stoss.data("restitution --poisson lin:-0.9:0.9:3 --speed 0.1")
+    series = stoss.data("restitution --body disk --poisson lin:-0.9:0.9:3 --speed 0.1")
     assert [float(row["poisson"]) for row in series] == pytest.approx([-0.9, 0, 0.9])
 
 
@@ -103,13 +103,13 @@ def test_more_speeds_than_the_core_gets_at_once(stoss):
 
 
 def test_result_does_not_depend_on_threads(stoss):
-    arguments = "restitution --poisson 0.33 --speed log:0.01:0.3:7 --threads"
+    arguments = "restitution --body disk --poisson 0.33 --speed log:0.01:0.3:7 --threads"
     one, eight = (stoss.data(f"{arguments} {threads}") for threads in (1, 8))
     assert one == eight
 
 
 def test_si_errors_have_their_units(stoss):
-    (row,) = stoss.data("restitution --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --speed 10")
+    (row,) = stoss.data("restitution --body disk --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --speed 10")
     c = math.sqrt(2.1e11 / 7850)
     time, force = 0.01 / c, math.pi * 0.01 * 2.1e11
     for key, unit, si_unit, scale in [
@@ -122,12 +122,12 @@ def test_si_errors_have_their_units(stoss):
 
 
 def test_speed_beyond_small_strain_is_flagged(stoss):
-    result = stoss.run("restitution --poisson 0.33 --speed 0.1,0.7 --format csv", strain=True)
+    result = stoss.run("restitution --body disk --poisson 0.33 --speed 0.1,0.7 --format csv", strain=True)
     assert result.returncode == 0
     assert [row["beyond_small_strain"] for row in rows(result.stdout)] == ["false", "true"]
     assert "above 0.1: linear elasticity is no longer accurate" in result.stderr
     assert f"strain of some {float(rows(result.stdout)[1]['strain']):.3g}," in result.stderr
-    assert stoss.run("restitution --poisson 0.33 --speed 0.7 --quiet").stderr == ""
+    assert stoss.run("restitution --body disk --poisson 0.33 --speed 0.7 --quiet").stderr == ""
 
 
 PAPER = "restitution --body sphere --poisson 0.3 --young 2e11 --density 7850 --radius 0.005 --speed 1.6 --against plate"
@@ -143,7 +143,7 @@ def test_a_sheet_of_paper_is_strained_too_much(stoss, under):
 
 @pytest.mark.parametrize("form", ["table", "csv", "json"])
 def test_not_converged_is_marked_told_and_exits_with_1(stoss, form):
-    result = stoss.run(f"restitution --poisson 0.33 --speed 0.1 --tolerance 1e-12 --absolute 0 --format {form}")
+    result = stoss.run(f"restitution --body disk --poisson 0.33 --speed 0.1 --tolerance 1e-12 --absolute 0 --format {form}")
     assert result.returncode == 1
     why, summary = result.stderr.splitlines()
     assert why.startswith("stoss: warning: poisson 0.33, speed 0.1 c: ") and "tolerance" in why
@@ -163,7 +163,7 @@ def test_not_converged_is_marked_told_and_exits_with_1(stoss, form):
 
 def test_rows_after_one_that_does_not_converge(stoss):
     tolerance = 1e-3  # between what the two can reach
-    result = stoss.run(f"restitution --poisson=-0.95 --speed 1,0.01 --tolerance {tolerance} --format csv")
+    result = stoss.run(f"restitution --body disk --poisson=-0.95 --speed 1,0.01 --tolerance {tolerance} --format csv")
     assert [row["converged"] for row in rows(result.stdout)] == ["false", "true"]
     for row in rows(result.stdout):
         within = float(row["lost_fraction_error"]) <= tolerance * float(row["lost_fraction"])

@@ -24,7 +24,7 @@ def test_help_has_units_and_an_example(stoss, subcommand):
 
 
 def test_modes_are_the_reference(stoss):
-    modes = stoss.data("modes --poisson 0.3 --cutoff 3")
+    modes = stoss.data("modes --body disk --poisson 0.3 --cutoff 3")
     lowest = min(modes, key=lambda mode: float(mode["omega[c/R]"]))
     assert (lowest["order"], lowest["index"], lowest["family"]) == ("2", "0", "radial")
     assert math.isclose(float(lowest["omega[c/R]"]), 1.45465510, abs_tol=5e-9)
@@ -33,51 +33,51 @@ def test_modes_are_the_reference(stoss):
 
 
 def test_number_of_modes(stoss):
-    assert len(stoss.data("modes --poisson 0.33 --cutoff 25")) == 295
+    assert len(stoss.data("modes --body disk --poisson 0.33 --cutoff 25")) == 295
 
 
 def test_csv_has_provenance_and_units(stoss):
-    text = stoss.run("impact --poisson 0.33 --speed 0.1 --cutoff 12.5 --format csv").stdout
+    text = stoss.run("impact --body disk --poisson 0.33 --speed 0.1 --cutoff 12.5 --format csv").stdout
     head = [line for line in text.splitlines() if line.startswith("#")]
     assert re.fullmatch(r"# stoss \d+\.\d+\.\d+: impact", head[0])
-    assert head[1] == "# command: stoss impact --poisson 0.33 --speed 0.1 --cutoff 12.5 --format csv"
+    assert head[1] == "# command: stoss impact --body disk --poisson 0.33 --speed 0.1 --cutoff 12.5 --format csv"
     assert "# against: wall" in head
     (row,) = rows(text)
     assert {"speed[c]", "contact_time[R/c]", "max_force[piRE]", "max_compression[R]"} <= set(row)
 
 
 def test_si_material(stoss):
-    steel = "--poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01"
+    steel = "--body disk --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01"
     (row,) = stoss.data(f"restitution {steel} --speed 10")
     c = math.sqrt(2.1e11 / 7850)
     assert float(row["speed_si[m/s]"]) == pytest.approx(10, rel=1e-14)
     assert float(row["speed[c]"]) == pytest.approx(10 / c, rel=1e-14)
     assert float(row["contact_time_si[s]"]) == pytest.approx(float(row["contact_time[R/c]"]) * 0.01 / c, rel=1e-14)
-    (plain,) = stoss.data(f"restitution --poisson 0.3 --speed {float(row['speed[c]'])!r}")
+    (plain,) = stoss.data(f"restitution --body disk --poisson 0.3 --speed {float(row['speed[c]'])!r}")
     assert plain["restitution"] == row["restitution"]
 
 
 def test_plane_strain(stoss):
-    solid = "--poisson 0.25 --young 1e10 --density 2500 --radius 1"
+    solid = "--body disk --poisson 0.25 --young 1e10 --density 2500 --radius 1"
     c = math.sqrt(1e10 / (1 - 0.25**2) / 2500)
     (strain,) = stoss.data(f"restitution {solid} --plane strain --speed {0.1 * c!r}")
-    (plane,) = stoss.data(f"restitution --poisson {0.25 / 0.75!r} --speed 0.1")
+    (plane,) = stoss.data(f"restitution --body disk --poisson {0.25 / 0.75!r} --speed 0.1")
     assert float(strain["restitution"]) == pytest.approx(float(plane["restitution"]), abs=1e-12)
 
 
 def test_exponential_wall(stoss):
-    (row,) = stoss.data("impact --poisson 0.33 --speed 0.1 --against exponential,hardness=500 --cutoff 25")
+    (row,) = stoss.data("impact --body disk --poisson 0.33 --speed 0.1 --against exponential,hardness=500 --cutoff 25")
     assert float(row["lost_fraction"]) == pytest.approx(0.099881, abs=3e-5)
 
 
 def test_static_tail(stoss):
-    (row,) = stoss.data("impact --poisson 0.33 --speed 0.1 --tail static --cutoff 25 --step 0.02")
+    (row,) = stoss.data("impact --body disk --poisson 0.33 --speed 0.1 --tail static --cutoff 25 --step 0.02")
     assert float(row["lost_fraction"]) == pytest.approx(0.1009, abs=2e-4)
     assert row["unresolved"] == "0"
 
 
 def test_impact_json_has_every_mode(stoss):
-    document = json.loads(stoss.run("impact --poisson 0.33 --speed 0.1 --cutoff 25 --format json").stdout)
+    document = json.loads(stoss.run("impact --body disk --poisson 0.33 --speed 0.1 --cutoff 25 --format json").stdout)
     (record,) = document["records"]
     assert len(document["modes"]) == record["modes"] == 295
     after = sum(mode["after"] for mode in document["modes"])
@@ -87,14 +87,14 @@ def test_impact_json_has_every_mode(stoss):
 
 
 def test_impact_table_ranks_the_quadrupole_first(stoss):
-    lines = stoss.run("impact --poisson 0.33 --speed 0.1").stdout.splitlines()
+    lines = stoss.run("impact --body disk --poisson 0.33 --speed 0.1").stdout.splitlines()
     first = lines[lines.index("most energetic modes (shares of the initial energy)") + 2]
     assert first.split()[:2] == ["2", "0"]
 
 
 def test_trajectory(stoss, tmp_path):
     path = tmp_path / "t.csv"
-    result = stoss.run(f"impact --poisson 0.33 --speed 0.1 --cutoff 12.5 --every 5 --format csv --trajectory {path}")
+    result = stoss.run(f"impact --body disk --poisson 0.33 --speed 0.1 --cutoff 12.5 --every 5 --format csv --trajectory {path}")
     assert result.returncode == 0
     (record,) = rows(result.stdout)
     instants = rows(path.read_text())
@@ -127,16 +127,16 @@ def keys(value):
 @pytest.mark.parametrize(
     "arguments",
     [
-        "restitution --poisson 0.33 --speed 0.1",
-        "impact --poisson 0.33 --speed 0.1 --cutoff 12",
-        "bounce --poisson 0.33 --speed 0.1 --count 2 --flight-time 9 --cutoff 12",
-        "distribution --poisson 0.33 --speed 0.1 --temperature 0.1 --samples 1",
-        "quasistatic --poisson 0.33 --speed 1e-3",
-        "quasistatic --poisson 0.33 --compression 0.01",
+        "restitution --body disk --poisson 0.33 --speed 0.1",
+        "impact --body disk --poisson 0.33 --speed 0.1 --cutoff 12",
+        "bounce --body disk --poisson 0.33 --speed 0.1 --count 2 --flight-time 9 --cutoff 12",
+        "distribution --body disk --poisson 0.33 --speed 0.1 --temperature 0.1 --samples 1",
+        "quasistatic --body disk --poisson 0.33 --speed 1e-3",
+        "quasistatic --body disk --poisson 0.33 --compression 0.01",
         "quasistatic --body sphere --poisson 0.3 --young 1e9 --density 1e3 --radius 1 --yield 1e6 --speed 0.1",
         "quasistatic --body sphere --poisson 0.3 --compression 0.01",
-        "modes --poisson 0.33 --cutoff 3",
-        "table --poisson 0.33 --speed 0.1:0.2",
+        "modes --body disk --poisson 0.33 --cutoff 3",
+        "table --body disk --poisson 0.33 --speed 0.1:0.2",
         "modes --body sphere --poisson 0.3 --cutoff 3",
         "impact --body sphere --poisson 0.3 --young 1e9 --density 1e3 --radius 1 --yield 1e6 --speed 1 --cutoff 12",
     ],

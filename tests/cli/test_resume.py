@@ -11,7 +11,7 @@ from conftest import SMALL, resume, rows, wait_for_rows
 
 pytestmark = pytest.mark.numbers
 
-JOB = "restitution --poisson 0.33,-0.2 --speed log:1e-3:0.09:60"
+JOB = "restitution --body disk --poisson 0.33,-0.2 --speed log:1e-3:0.09:60"
 INTERRUPTED = "# interrupted: the rows above are complete, later ones are missing\n"
 
 
@@ -57,7 +57,7 @@ def test_interrupted_again_and_again(stoss, tmp_path, whole):
 @pytest.mark.parametrize("begun", ["--resume", "--format csv -o"])
 def test_a_row_that_was_changed_is_refused(stoss, tmp_path, begun):
     path = tmp_path / "curve.csv"
-    job = "restitution --poisson 0.33 --speed 0.01,0.02,0.03"
+    job = "restitution --body disk --poisson 0.33 --speed 0.01,0.02,0.03"
     assert stoss.run(job, begun, str(path)).returncode == 0
     whole = path.read_text()
     row = rows(whole)[1]
@@ -70,7 +70,7 @@ def test_a_row_that_was_changed_is_refused(stoss, tmp_path, begun):
     assert resume(stoss, path, job).returncode == 0 and path.read_text() == whole
 
 
-@pytest.mark.parametrize("job", [JOB, "distribution --poisson 0.33 --speed 0.1 --spectrum 2,0,energy=0.1 --samples 5"])
+@pytest.mark.parametrize("job", [JOB, "distribution --body disk --poisson 0.33 --speed 0.1 --spectrum 2,0,energy=0.1 --samples 5"])
 def test_interrupted_before_the_first_row(stoss, tmp_path, job):
     """The file says so where its first row would be."""
     path = tmp_path / "curve.csv"
@@ -134,7 +134,7 @@ def test_complete_file_stays_as_it_is(stoss, tmp_path, small):
 
 def test_marks_of_earlier_rows_count(stoss, tmp_path):
     path = tmp_path / "curve.csv"
-    job = "restitution --poisson 0.33 --speed 0.7"
+    job = "restitution --body disk --poisson 0.33 --speed 0.7"
     whole = stoss.run(job, "--format csv").stdout  # that of stdout has no checksums, and is continued without
     before = whole.replace(",true,false,", ",false,false,")  # not converged, does not stay
     path.write_text(before)
@@ -149,7 +149,7 @@ def test_marks_of_earlier_rows_count(stoss, tmp_path):
 
 def test_material(stoss, tmp_path):
     path = tmp_path / "curve.csv"
-    job = "restitution --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --plane strain --speed 10,20,30"
+    job = "restitution --body disk --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --plane strain --speed 10,20,30"
     text = stoss.run(job, "--format csv").stdout
     path.write_text(text[:-200])
     assert resume(stoss, path, job).returncode == 0
@@ -201,7 +201,7 @@ def test_row_with_an_unknown_error_is_kept(stoss, tmp_path, small):
 @pytest.mark.parametrize("number_of_signal", [signal.SIGINT, signal.SIGKILL])
 def test_curve_of_pairs_interrupted_or_killed_and_resumed(stoss, tmp_path, number_of_signal):
     path = tmp_path / "curve.csv"
-    job = "restitution --poisson 0.33,0.2 --speed log:0.01:0.2:40 --tolerance 1e-2 --against disk,radius=2"
+    job = "restitution --body disk --poisson 0.33,0.2 --speed log:0.01:0.2:40 --tolerance 1e-2 --against disk,radius=2"
     command = stoss.start(f"{job} --threads 1 --resume {path}", stderr=subprocess.DEVNULL)
     wait_for_rows(command, path, 3)
     command.send_signal(number_of_signal)
@@ -214,11 +214,11 @@ def test_curve_of_pairs_interrupted_or_killed_and_resumed(stoss, tmp_path, numbe
     "bodies, others",
     [
         (
-            "--poisson 0.33 --against disk,radius=2",
+            "--body disk --poisson 0.33 --against disk,radius=2",
             [
-                "--poisson 0.33 --against disk,radius=2.5",
-                "--poisson 0.33 --against same",
-                "--poisson 0.33",
+                "--body disk --poisson 0.33 --against disk,radius=2.5",
+                "--body disk --poisson 0.33 --against same",
+                "--body disk --poisson 0.33",
                 "--body rod",
             ],
         ),

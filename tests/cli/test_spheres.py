@@ -91,7 +91,7 @@ def test_a_file_of_another_absolute_is_not_resumed(stoss, tmp_path):
     path.write_text("".join(whole.splitlines(True)[:-1]))
     assert stoss.run(job, "--resume", str(path)).returncode == 0
     assert path.read_text() == whole
-    other = stoss.run("restitution --poisson 0.3 --speed 0.1,0.2 --resume", str(path))
+    other = stoss.run("restitution --body disk --poisson 0.3 --speed 0.1,0.2 --resume", str(path))
     assert other.returncode == 3 and "body: got disk, allowed sphere" in other.stderr
 
 
@@ -132,13 +132,13 @@ def test_refusals(stoss, command, arguments, name, said):
 @pytest.mark.parametrize(
     "arguments, name, said",
     [
-        ("--poisson 0.3 --against sphere", "against", "for a disk, allowed wall, same, disk, half-plane or strip"),
-        ("--poisson 0.3 --yield 1e9", "yield", "--body disk, allowed only with --body sphere"),
+        ("--body disk --poisson 0.3 --against sphere", "against", "for a disk, allowed wall, same, disk, half-plane or strip"),
+        ("--body disk --poisson 0.3 --yield 1e9", "yield", "--body disk, allowed only with --body sphere"),
         ("--body rod --against sphere", "against", "for a rod, allowed wall, same or rod"),
         ("--body sphere --poisson 0.3 --against exponential", "against", "stoss impact meets an exponential wall"),
         ("--body sphere --poisson 0.3 --absolute -1", "absolute", "-1"),
         ("--body sphere --poisson 0.3 --absolute 0.6", "absolute", "0.6"),
-        ("--poisson 0.3 --absolute nan", "absolute", "nan"),
+        ("--body disk --poisson 0.3 --absolute nan", "absolute", "nan"),
     ],
 )
 def test_what_does_not_go_together(stoss, arguments, name, said):

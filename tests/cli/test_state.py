@@ -194,7 +194,7 @@ def test_json_has_the_inputs_and_units(stoss):
 
 
 def test_a_sequence_that_ends_early_keeps_its_rows(stoss):
-    result = stoss.run("bounce --poisson 0.33 --speed 1e-8 --count 3 --flight-time 9 --format csv")
+    result = stoss.run("bounce --body disk --poisson 0.33 --speed 1e-8 --count 3 --flight-time 9 --format csv")
     assert result.returncode == 1
     assert len(rows(result.stdout)) == 1
     assert "1e-8 to 1" in result.stderr

@@ -25,7 +25,7 @@ def test_a_body_that_parts_has_none(stoss):
 
 
 def test_a_disk_on_a_strip_has_a_value_with_friction(stoss):
-    disk = "--poisson 0.3 --speed 0.01 --angle 60 --friction 0.1 --against strip,thickness=0.4"
+    disk = "--body disk --poisson 0.3 --speed 0.01 --angle 60 --friction 0.1 --against strip,thickness=0.4"
     result = stoss.run(f"oblique {disk} --format csv")
     (row,) = rows(result.stdout)
     assert float(row["restitution"]) == 0.0 and row["converged"] == "true" and row["stays"] == "true"

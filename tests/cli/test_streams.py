@@ -12,7 +12,7 @@ from conftest import rows
 
 pytestmark = pytest.mark.numbers
 
-LINEAR = "restitution --poisson 0.33 --speed 0.7 --format csv"  # warns of small strain
+LINEAR = "restitution --body disk --poisson 0.33 --speed 0.7 --format csv"  # warns of small strain
 
 
 def closed(*descriptors):
@@ -29,7 +29,7 @@ def test_closed_descriptors_do_not_reach_the_file(stoss, tmp_path, descriptors):
     assert text.splitlines()[-1].startswith("0.33,0.7,")
 
 
-@pytest.mark.parametrize("words", ["modes --poisson 0.33 --cutoff 3", "--help", "--version"])
+@pytest.mark.parametrize("words", ["modes --body disk --poisson 0.33 --cutoff 3", "--help", "--version"])
 def test_closed_stdout_is_an_error(stoss, words):
     result = subprocess.run(
         [stoss.path, *words.split()], preexec_fn=closed(1), stderr=subprocess.PIPE, text=True, timeout=60
@@ -39,8 +39,8 @@ def test_closed_stdout_is_an_error(stoss, words):
 
 
 @pytest.mark.parametrize("words, status", [
-    ("modes --poisson 0.33 --cutoff 3", 0), (LINEAR, 0), ("restitution --poisson 0.33 --speed 0.1 --tolerance 1e-12 --absolute 0", 1),
-    ("modes --colour", 2), ("modes --poisson 7", 3), ("modes --poisson 0.33 -o /no/such/folder/x", 4),
+    ("modes --body disk --poisson 0.33 --cutoff 3", 0), (LINEAR, 0), ("restitution --poisson 0.33 --speed 0.1 --tolerance 1e-12 --absolute 0", 1),
+    ("modes --colour", 2), ("modes --body disk --poisson 7", 3), ("modes --poisson 0.33 -o /no/such/folder/x", 4),
 ])  # fmt: skip
 def test_unwritable_stderr_changes_no_exit_code(stoss, words, status):
     with open("/dev/full", "w") as full:
@@ -65,8 +65,8 @@ def test_too_many_threads(stoss):
 
     if "ReserveShadowMemoryRange" in stoss.run("--version", preexec_fn=little_memory).stderr:
         pytest.skip("AddressSanitizer needs more address space than this")
-    result = stoss.run("restitution --poisson 0.33 --speed 0.1,0.2 --threads 64", preexec_fn=little_memory)
-    many = stoss.run("restitution --poisson 0.33 --speed lin:0.1:0.2:64 --threads 64", preexec_fn=little_memory)
+    result = stoss.run("restitution --body disk --poisson 0.33 --speed 0.1,0.2 --threads 64", preexec_fn=little_memory)
+    many = stoss.run("restitution --body disk --poisson 0.33 --speed lin:0.1:0.2:64 --threads 64", preexec_fn=little_memory)
     assert result.returncode in (0, 4) and many.returncode == 4
     assert many.stderr == "stoss: error: threads: cannot start as many as asked for (use --threads 1)\n"
 
@@ -77,7 +77,7 @@ NAMES = ["plain.csv", "two words.csv", "it's; $(date) & \"x\".csv", "line\nend\t
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("form", ["csv", "json"])
 def test_command_line_can_be_pasted(stoss, tmp_path, name, form):
-    words = ["modes", "--poisson", " 0.33", "--cutoff", "2", "--format", form, "-o", name]
+    words = ["modes", "--body", "disk", "--poisson", " 0.33", "--cutoff", "2", "--format", form, "-o", name]
     assert subprocess.run([stoss.path, *words], cwd=tmp_path, timeout=60).returncode == 0
     path = tmp_path / name
     text = path.read_text()
@@ -92,7 +92,7 @@ def test_command_line_can_be_pasted(stoss, tmp_path, name, form):
 
 def test_equal_runs_give_equal_files(stoss, tmp_path):
     for form in ("csv", "json"):
-        job = f"restitution --poisson 0.33 --speed 0.1,0.2 --format {form} -o x"
+        job = f"restitution --body disk --poisson 0.33 --speed 0.1,0.2 --format {form} -o x"
         texts = []
         for _ in range(2):
             assert stoss.run(job, cwd=tmp_path).returncode == 0

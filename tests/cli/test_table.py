@@ -14,7 +14,7 @@ from conftest import number
 
 pytestmark = pytest.mark.numbers
 
-DISK = "table --poisson 0.33 --speed 1e-4:0.3"
+DISK = "table --body disk --poisson 0.33 --speed 1e-4:0.3"
 BALL = (
     "table --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.005 --speed 0.01:10"
     " --against half-space,poisson=0.23,young=7e10,density=2500"
@@ -216,7 +216,7 @@ def test_threads_change_nothing(stoss, document):
 @pytest.mark.parametrize("job", [
     "table --body rod --speed 0.001:0.1 --against rod,length=2.5 --error 0.01",
     "table --body sphere --poisson 0.3 --loss-time 0.1 --speed 0.001:0.1 --error 0.01",
-    "table --poisson 0.33 --rigid-body --against half-plane --speed 0.001:0.1 --error 0.01",
+    "table --body disk --poisson 0.33 --rigid-body --against half-plane --speed 0.001:0.1 --error 0.01",
 ])  # fmt: skip
 def test_bodies_are_those_of_restitution(stoss, job):
     document = json.loads(stoss.run(job, "--format json").stdout)

@@ -79,6 +79,6 @@ def test_slope():
 
 
 def test_loss_of_slow_disks():
-    fast, slow = command("restitution --poisson 0.33 --against disk,radius=2 --speed 0.1,1e-3")
+    fast, slow = command("restitution --body disk --poisson 0.33 --against disk,radius=2 --speed 0.1,1e-3")
     said = f"from {fast['lost_fraction']:.3f} at v = 0.1 c to {slow['lost_fraction']:.3f} at 10⁻³"
     assert said in WORDS

@@ -28,7 +28,7 @@ def largest(command, kind):
 def test_ratios_of_size_are_those_that_the_pages_name():
     spheres = largest("restitution --body sphere --poisson 0.3 --speed 0.1 --tolerance 0.1", "sphere")
     at_an_angle = largest("oblique --body disk --poisson 0.3 --speed 0.1 --tangential 0.1 --friction 0.2 --tolerance 0.2", "disk")
-    assert stoss("restitution --poisson 0.3 --speed 0.1 --against disk,radius=1000").returncode == 0
+    assert stoss("restitution --body disk --poisson 0.3 --speed 0.1 --against disk,radius=1000").returncode == 0
     for name in ("README.md", "docs/cpp.md"):
         _, words = page(name)
         assert re.search(rf"\b{spheres} times\b", words) and re.search(rf"\b{at_an_angle} times\b", words), name
@@ -37,7 +37,7 @@ def test_ratios_of_size_are_those_that_the_pages_name():
 @pytest.mark.parametrize("speed, code", [("1e-8", 0), ("0.99e-8", 3), ("1", 0), ("1.01", 3)])
 def test_range_of_speeds_is_that_of_the_readme(speed, code):
     assert "10⁻⁸ c to c" in page("README.md")[1]
-    assert stoss(f"impact --poisson 0.3 --cutoff 5 --speed {speed}").returncode == code
+    assert stoss(f"impact --body disk --poisson 0.3 --cutoff 5 --speed {speed}").returncode == code
 
 
 def test_v_of_the_results_is_the_speed_of_each_of_two_equal_bodies():

@@ -39,7 +39,7 @@ SPEEDS = {"v = 0.3": 0.3, "v = 0.1": 0.1, "v = 0.01": 0.01, "v = 10⁻³": 1e-3,
 @pytest.mark.parametrize("name", SPEEDS)
 def test_convergence_in_the_cutoff(name):
     table = dict(zip((5.66, 11.3, 22.6, 45.3, 90.5, 181), cells_of(name, "**Convergence in the cutoff**")))
-    found = runs(f"restitution --poisson 0.33 --speed {SPEEDS[name]} --tolerance 6e-6 --absolute 0")
+    found = runs(f"restitution --body disk --poisson 0.33 --speed {SPEEDS[name]} --tolerance 6e-6 --absolute 0")
     compared = [(cutoff, value) for cutoff, value in found.items() if cutoff in table]
     assert len(compared) == len(table)
     for cutoff, value in compared:
@@ -50,7 +50,7 @@ def test_what_the_tail_of_today_gives():
     cells = cells_of("+ edge law and phase of first touch (§3; **all kept**)")
     for k, (speed, nodes) in enumerate(((0.1, 64), (0.01, 48))):
         for cutoff, cell in zip((12.5, 25, 50), cells[3 * k :]):
-            job = f"impact --poisson 0.33 --speed {speed} --cutoff {cutoff} --step {0.5 / cutoff} --nodes {nodes} --quiet"
+            job = f"impact --body disk --poisson 0.33 --speed {speed} --cutoff {cutoff} --step {0.5 / cutoff} --nodes {nodes} --quiet"
             (row,) = command(job)
             assert f"{row['lost_fraction']:.5f}" == cell
 
@@ -60,7 +60,7 @@ def test_pairs(name):
     shown = cells_of(name)
     which, value, speed = re.fullmatch(r"(.)₂ = (\d+), v = ([\d.]+)", name).groups()
     key = {"R": "radius", "E": "young", "ρ": "density"}[which]
-    (row,) = records(f"restitution --poisson 0.33 --against disk,{key}={value} --speed {speed} --tolerance 3e-5")
+    (row,) = records(f"restitution --body disk --poisson 0.33 --against disk,{key}={value} --speed {speed} --tolerance 3e-5")
     assert [f"{run['lost_fraction']:.6f}" for run in row["runs"][:4]] == shown[:4]
     assert with_error(row["lost_fraction"], row["lost_fraction_error"]) == shown[4]
 
@@ -69,7 +69,7 @@ def test_single_points_that_take_long():
     for poisson, speed in ((0.9, 0.1448), (0.9, 0.5), (0, 0.39718)):
         name = f"ν = {poisson}, v = {speed}"
         for tolerance, cell in zip((1e-3, 2e-4, 1e-4), cells_of(name)):
-            (row,) = command(f"restitution --poisson {poisson} --speed {speed} --tolerance {tolerance} --quiet")
+            (row,) = command(f"restitution --body disk --poisson {poisson} --speed {speed} --tolerance {tolerance} --quiet")
             shown = f"{row['lost_fraction']:.5f}({1e5 * row['lost_fraction_error']:.0f})"
             assert cell.startswith(shown), (name, tolerance, shown)
             assert ("not reached" in cell) == (row["converged"] == "false"), (name, tolerance)
@@ -78,7 +78,7 @@ def test_single_points_that_take_long():
 def test_force_that_comes_back_focused():
     cells = cells_of("maximum force", "comes back to the contact focused")
     for tolerance, cell in zip((1e-2, 1e-3, 2e-4, 1e-4), cells):
-        (row,) = command(f"restitution --poisson 0.98 --speed 0.085 --tolerance {tolerance} --quiet")
+        (row,) = command(f"restitution --body disk --poisson 0.98 --speed 0.085 --tolerance {tolerance} --quiet")
         assert f"{row['max_force']:.4f} ± {row['max_force_error']:.4f}" == cell
 
 
@@ -91,7 +91,7 @@ def test_rods():
 
 def test_energy_error_of_the_radiating_tail():
     for step, shown in zip((0.5, 0.25, 0.125, 0.0625), cells_of("energy error")):
-        (row,) = command(f"impact --poisson 0.33 --speed 0.1 --cutoff 25 --step {step / 25} --quiet")
+        (row,) = command(f"impact --body disk --poisson 0.33 --speed 0.1 --cutoff 25 --step {step / 25} --quiet")
         mantissa, power = re.fullmatch(r"−([\d.]+)·10⁻(.)", shown).groups()
         expected = -float(mantissa) * 10.0 ** -"⁰¹²³⁴⁵⁶⁷⁸⁹".index(power)
         assert row["energy_error"] == pytest.approx(expected, rel=0.5 / float(mantissa.replace(".", "")) + 0.01)
@@ -153,7 +153,7 @@ def test_grid_of_a_table_of_the_rule(against, speed, tolerance):
 
 @pytest.mark.parametrize("error", (1e-2, 1e-3))
 def test_grid_of_a_table_of_pairs(error):
-    job = f"table --poisson 0.33 --against same --speed 1e-3:0.3 --ratio 1:3 --error {error} --format json"
+    job = f"table --body disk --poisson 0.33 --against same --speed 1e-3:0.3 --ratio 1:3 --error {error} --format json"
     words = [os.environ["STOSS"], *job.split()]
     found = json.loads(subprocess.run(words, capture_output=True, text=True, check=True, timeout=120).stdout)
     cells = (POWERS[error], f"{len(found['records'])} × {len(found['ratio'])}", power(found["greatest_error"], 2))

@@ -88,13 +88,13 @@ def test_the_limit_is_a_half_plane():
 
 @pytest.mark.parametrize("ratio", (50, 100, 300, 1000))
 def test_still_larger_disks(ratio):
-    job = f"restitution --poisson 0.33 --against disk,radius={ratio} --speed {','.join(map(str, SPEEDS))}"
+    job = f"restitution --body disk --poisson 0.33 --against disk,radius={ratio} --speed {','.join(map(str, SPEEDS))}"
     found = command(f"{job} --tolerance 2.5e-4")
     assert line(ratio, *(with_error(row["lost_fraction"], row["lost_fraction_error"]) for row in found)) in PAGE
 
 
 def test_beside_finite_elements():
     for radius, speed, tolerance in ((2, 0.2, 1e-4), (10, 0.1, 3e-5)):
-        job = f"restitution --poisson 0.33 --against disk,radius={radius} --speed {speed} --tolerance {tolerance}"
+        job = f"restitution --body disk --poisson 0.33 --against disk,radius={radius} --speed {speed} --tolerance {tolerance}"
         (row,) = command(job)
         assert with_error(row["lost_fraction"], row["lost_fraction_error"]) in WORDS

@@ -14,15 +14,15 @@ ALL = ",".join(map(str, SPEEDS))
 
 def quadrupole(arguments):
     """Energy after an impact in the mode (2,0)."""
-    words = [os.environ["STOSS"], *arguments.split(), "--poisson", "0.33", "--format", "json", "--quiet"]
+    words = [os.environ["STOSS"], *arguments.split(), *"--body disk --poisson 0.33".split(), "--format", "json", "--quiet"]
     found = json.loads(subprocess.run(words, capture_output=True, text=True, check=True, timeout=120).stdout)
     return next(mode["after"] for mode in found["modes"] if (mode["order"], mode["index"]) == (2, 0))
 
 
 @pytest.fixture(scope="module")
 def computed():
-    return (command(f"restitution --poisson 0.33 --speed {ALL} --tolerance 1e-4 --absolute 0"),
-            command(f"quasistatic --poisson 0.33 --speed {ALL} --quiet"))  # fmt: skip
+    return (command(f"restitution --body disk --poisson 0.33 --speed {ALL} --tolerance 1e-4 --absolute 0"),
+            command(f"quasistatic --body disk --poisson 0.33 --speed {ALL} --quiet"))  # fmt: skip
 
 
 @pytest.mark.parametrize("k", range(len(SPEEDS)), ids=map(str, SPEEDS))
@@ -40,6 +40,6 @@ def test_where_it_holds():
     rows = [row for row in table("docs/results/restitution.csv") if row["quasistatic_lost_fraction"] != ""]
     ratios = [row["quasistatic_lost_fraction"] / row["lost_fraction"] for row in rows]
     assert f"{min(ratios):.2f} to {max(ratios):.1f} times the full solution" in WORDS
-    found = command("quasistatic --poisson 0.33 --speed 0.0235,0.024 --quiet")
+    found = command("quasistatic --body disk --poisson 0.33 --speed 0.0235,0.024 --quiet")
     assert [row["beyond_perturbation"] for row in found] == ["false", "true"]
     assert "v = 0.024$ at $\\nu = 0.33" in WORDS.replace("$v", "v")

@@ -52,7 +52,7 @@ EXTREMA = {nu: extrema(nu) for nu in POISSON}
 @pytest.fixture(scope="module")
 def computed():
     speeds = ",".join(map(str, SPEEDS))
-    found = command(f"restitution --poisson {','.join(map(str, POISSON))} --speed {speeds} --tolerance 3e-4")
+    found = command(f"restitution --body disk --poisson {','.join(map(str, POISSON))} --speed {speeds} --tolerance 3e-4")
     return {(row["poisson"], row["speed"]): row for row in found}
 
 

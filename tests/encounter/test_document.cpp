@@ -26,23 +26,6 @@ TEST(EncounterDocument, ReadsBackAsItWasWritten) {
   EXPECT_EQ(to_json(encounter_from_json(bare)), bare);
 }
 
-TEST(EncounterDocument, MayHaveFriction) {
-  const std::string rough =
-      R"({"format":"stoss encounter 1","first":{"kind":"disk","poisson":0.33},"against":"wall","friction":0.3})";
-  EXPECT_EQ(encounter_from_json(rough).friction, 0.3);
-  EXPECT_EQ(to_json(encounter_from_json(rough)), rough);
-  const std::string smooth = R"({"first":{"kind":"disk","poisson":0.33},"against":"wall","friction":0})";
-  EXPECT_EQ(to_json(encounter_from_json(smooth)),
-            R"({"format":"stoss encounter 1","first":{"kind":"disk","poisson":0.33},"against":"wall"})");
-  const auto said = [](const std::string& friction) {
-    const std::string text = R"({"first":{"kind":"disk","poisson":0.33},"friction":)" + friction + "}";
-    return test::message_of<InvalidInput>([&] { (void)encounter_from_json(text); });
-  };
-  EXPECT_EQ(said("-0.1"), "friction: got -0.1, allowed 0 to 5 (coefficient of Coulomb's law)");
-  EXPECT_EQ(said("5.5"), "friction: got 5.5, allowed 0 to 5 (coefficient of Coulomb's law)");
-  EXPECT_EQ(said("\"much\""), "friction: got \"much\", allowed a finite number");
-}
-
 TEST(EncounterDocument, IsRefusedInOneLine) {
   const auto said = [](const std::string& text) {
     return test::message_of<InvalidInput>([&] { (void)encounter_from_json(text); });
@@ -52,7 +35,7 @@ TEST(EncounterDocument, IsRefusedInOneLine) {
   EXPECT_EQ(said(R"({"first":{"kind":"disk","poison":0.3}})"),
             "first: got \"poison\", allowed kind, poisson, radius, young, density, loss_time, material, plane, rigid");
   EXPECT_EQ(said(R"({"first":{"kind":"disk","poisson":0.3},"speed":1})"),
-            "encounter: got \"speed\", allowed format, first, against, vibration, friction");
+            "encounter: got \"speed\", allowed format, first, against, vibration");
   EXPECT_EQ(said(R"({"first":{"kind":"sphere","radius":1,"material":"steal"}})").substr(0, 56),
             "material: got 'steal', allowed structural steel, glass, ");
   EXPECT_EQ(

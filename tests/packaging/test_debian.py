@@ -111,11 +111,11 @@ def test_the_command_names_version_and_commit(packaged_command):
 
 
 JOBS = (
-    "restitution --poisson 0.33,0.9 --speed 0.005,0.1,0.3",
+    "restitution --body disk --poisson 0.33,0.9 --speed 0.005,0.1,0.3",
     "restitution --body sphere --poisson 0.3 --speed 1e-3,0.1 --against half-space",
-    "restitution --poisson 0.33 --speed 0.1 --against disk,poisson=0.2,radius=0.5,young=2",
+    "restitution --body disk --poisson 0.33 --speed 0.1 --against disk,poisson=0.2,radius=0.5,young=2",
     "impact --body sphere --poisson 0.3 --speed 0.1",
-    "modes --poisson 0.33",
+    "modes --body disk --poisson 0.33",
 )
 
 

@@ -74,7 +74,7 @@ def test_what_is_packed(packed):
 
 @pytest.mark.parametrize("encounter, speed, line", [
     ({"first": SPHERE}, 0.01, "--body sphere --poisson 0.3 --speed 0.01"),
-    ({"first": {"kind": "disk", "poisson": 0.33}, "against": "same"}, 0.1, "--poisson 0.33 --against same --speed 0.1"),
+    ({"first": {"kind": "disk", "poisson": 0.33}, "against": "same"}, 0.1, "--body disk --poisson 0.33 --against same --speed 0.1"),
     ({"first": BALL, "against": {"kind": "half-space", "material": "glass"}}, 1,
      "--body sphere --radius 0.005 --material 'structural steel' --against half-space,material=glass --speed 1"),
 ])
@@ -109,7 +109,7 @@ console.log(JSON.stringify({ all, seen, version: stoss.version, title: stoss.sch
     assert answer["steel"]["young"] > 1e11
     assert sorted(answer["seen"]) == [[0.02, 1], [0.1, 0]]
     for point in answer["all"]:
-        theirs = record(f"restitution --poisson 0.33 --speed {point['speed']}")
+        theirs = record(f"restitution --body disk --poisson 0.33 --speed {point['speed']}")
         assert point["restitution"] == pytest.approx(theirs["restitution"], rel=SAME, abs=0)
 
 

@@ -22,7 +22,7 @@ LINES = [
     "restitution --body rod --speed 0.1 --tolerance 0.1 --format table",
     "impact --body sphere --radius 0.005 --material 'structural steel' --speed 1 --format json",
     "oblique --body sphere --poisson 0.3 --speed 0.01 --friction 0.3 --angle 30 --format csv",
-    "distribution --poisson 0.33 --speed 0.1 --samples 4 --temperature 0.01 --seed 7 --threads 2 --format csv",
+    "distribution --body disk --poisson 0.33 --speed 0.1 --samples 4 --temperature 0.01 --seed 7 --threads 2 --format csv",
     "modes --body disk --poisson 0.33 --cutoff 12 --format csv",
     "table --body disk --poisson 0.33 --speed 1e-2:0.1 --error 0.01 --format c",
     "schema",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "results.hpp"
+#include "stoss/encounter/collision.hpp"
 #include "stoss/impact/quantities.hpp"
 #include "stoss/restitution/oblique_curve.hpp"
 #include "stoss/restitution/quantities.hpp"
@@ -15,18 +16,12 @@ namespace {
 
 using emscripten::val;
 
-double speed_of(const Question& asked, const Meeting& meeting) {
-  return own_speed(meeting.encounter, asked.number("speed"));
-}
-
-/// At an angle; spins as the page gives them.
 ObliqueCase at_angle(const Question& asked, const Meeting& meeting, double angle) {
-  const double spin = meeting.unit(Dimension::frequency), speed = speed_of(asked, meeting);
-  return {speed,
-          {.tangential = tangential_at(angle, speed),
-           .spin = asked.number("spin", 0.0) / spin,
-           .second_spin = asked.number("spin2", 0.0) / spin,
-           .friction = asked.number("friction", meeting.encounter.friction)}};
+  return own_units(meeting.encounter, {.speed = asked.number("speed"),
+                                       .angle = angle,
+                                       .spin = asked.number("spin", 0.0),
+                                       .second_spin = asked.number("spin2", 0.0),
+                                       .friction = asked.number("friction", 0.0)});
 }
 
 ObliqueCase case_of(const Question& asked, const Meeting& meeting) {

@@ -1,6 +1,6 @@
 // A disk falls on the floor in planck.js and leaves with the coefficient of restitution of its speed.
 //
-//   stoss table --poisson 0.4 --young 1e6 --density 1000 --radius 0.1 --speed 0.01:10 --format json -o restitution.json
+//   stoss table --body disk --poisson 0.4 --young 1e6 --density 1000 --radius 0.1 --speed 0.01:10 --format json -o restitution.json
 //   npm ci --omit=peer && node main.js restitution.json
 //
 // Copy `table` and the listener of pre-solve. planck is Box2D in JavaScript:

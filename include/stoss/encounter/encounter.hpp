@@ -41,7 +41,6 @@ struct Encounter {
   Participant first{};
   Participant against = of_kind("wall");
   Vibration vibration{};  ///< of the bodies before they meet
-  double friction = 0.0;  ///< μ of Coulomb's law between the two, 0 … 5: of oblique impacts, central ones have none
 };
 
 /// Refuses what cannot meet, numbers out of range, and numbers that are missing or do not go together.

@@ -33,8 +33,6 @@ struct Obliquity {
   double friction = 0.0;     ///< μ of Coulomb's law, 0 … 5
 };
 
-inline constexpr double most_friction = 5.0;
-
 /// Where the energy is after an oblique impact, as shares of what there was before: of all motion relative to the
 /// common centre of mass, of the spins and of the vibration. The sum is 1 but for energy_error.
 struct ObliqueLedger {

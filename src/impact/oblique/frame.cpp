@@ -12,6 +12,7 @@
 #include "check.hpp"
 #include "contact/along.hpp"
 #include "contact/unit_ratios.hpp"
+#include "ranges.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -81,15 +82,13 @@ std::array<std::vector<double>, 2> arms(const Contact& contact, const ContactPoi
 }
 
 void ObliqueFrame::require(const Obliquity& obliquity) const {
-  constexpr Range along{-1.0, 1.0, true, true, "-1 to 1"};
-  stoss::require("tangential", obliquity.tangential, along, "velocity along the surface in c");
-  stoss::require("friction", obliquity.friction, {0.0, most_friction, true, true, "0 to 5"},
-                 "coefficient of Coulomb's law");
+  stoss::require("tangential", obliquity.tangential, ranges::along, "velocity along the surface in c");
+  stoss::require("friction", obliquity.friction, ranges::friction, "coefficient of Coulomb's law");
   const std::array spins{std::pair{"spin", obliquity.spin}, std::pair{"second_spin", obliquity.second_spin}};
   for (std::size_t k = 0; k < spins.size(); ++k) {
     const auto& [name, spin] = spins[k];
     if (inertia[k] > 0.0) {
-      stoss::require(name, spin * radius[k], along, "of the body, times its radius in that of the first, in c");
+      stoss::require(name, spin * radius[k], ranges::along, "of the body, times its radius in that of the first, in c");
     } else if (spin != 0.0) {
       throw InvalidInput::out_of_range(std::string(name), "one that is not 0", "only 0",
                                        "there is no such body, or it does not turn");

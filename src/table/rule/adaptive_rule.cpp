@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "check.hpp"
+#include "ranges.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/table/adaptive.hpp"
 #include "stoss/table/adaptive_pairs.hpp"
@@ -18,8 +19,7 @@ namespace {
 void require_options(const AxisRange& speeds, const RuleTableOptions& options) {
   require_speeds(speeds);
   require("error", options.error, {1e-6, 0.1, true, true, "1e-6 to 0.1"}, "maximum error of the restitution");
-  require("tolerance", options.tolerance, {1e-4, 0.5, true, true, "1e-4 to 0.5"},
-          "maximum error of the sliding after the collision");
+  require("tolerance", options.tolerance, ranges::rule_tolerance, "maximum error of the sliding after the collision");
   require("most_values", static_cast<long>(options.most_values), 100, 10'000'000, "that are computed");
   require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
   require_beyond(options.beyond);

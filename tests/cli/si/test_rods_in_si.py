@@ -112,8 +112,8 @@ WHOLE = f"{SOLID} --length 1 --area 1"
         (f"--body rod {WHOLE} --against rod,length=1,area=1,young=-1,density=1", "against young", "-1"),
         (f"--body rod {WHOLE} --against rod,length=1e6,area=1,young=1e9,density=1e3", "length ratio", "1e+06"),
         (f"--body rod {WHOLE} --against disk", "against", "a disk meets disks"),
-        ("--poisson 0.3 --length 1", "length", "--body disk, allowed only with --body rod"),
-        (f"--poisson 0.3 {SOLID} --radius 1 --area 1", "area", "--body disk, allowed only with --body rod"),
+        ("--poisson 0.3 --length 1", "length", "--body sphere, allowed only with --body rod"),
+        (f"--poisson 0.3 {SOLID} --radius 1 --area 1", "area", "--body sphere, allowed only with --body rod"),
     ],
 )
 def test_refusals(stoss, arguments, name, said):

@@ -17,7 +17,7 @@ BALL, DISK = stoss.Sphere(radius=0.01, material=HARD), stoss.Disk(radius=0.01, m
 BAR = stoss.Material(young=2.1e11, poisson=0.3, density=7850)
 ROD = stoss.Rod(length=0.5, area=1e-4, material=BAR)
 OF_A_BALL, OF_A_ROD = f"--body sphere --poisson 0.3 --radius 0.01 {STEEL}", "--body rod --length 0.5 --area 1e-4 --young 2.1e11 --density 7850"
-OF_A_DISK = "--poisson 0.3 --radius 0.01 --young 2.1e11 --density 7850"
+OF_A_DISK = "--body disk --poisson 0.3 --radius 0.01 --young 2.1e11 --density 7850"
 HEATED = "--speed 0.1 --temperature 0.01 --highest 5 --samples 3 --seed 7"
 RINGS, MODE = stoss.Oscillation(2, 0, energy=0.1, phase=2.0), "--mode 2,0,energy=0.1,phase=2"
 WARM = {"speed": 0.1, "temperature": 0.01, "highest": 5.0, "samples": 3, "seed": 7}
@@ -29,7 +29,7 @@ def oblique_impact():
 
 # A result of each kind, bare and with a material, and the call of the command that gives it, where there is one.
 RESULTS = {
-    "restitution": (lambda: stoss.restitution(poisson=0.33, speed=0.1), "restitution --poisson 0.33 --speed 0.1"),
+    "restitution": (lambda: stoss.restitution(poisson=0.33, speed=0.1), "restitution --body disk --poisson 0.33 --speed 0.1"),
     "restitution-rods": (
         lambda: stoss.restitution(stoss.Rod(), speed=0.1, tolerance=0.01, against=stoss.Rod(length=2.5)),
         "restitution --body rod --speed 0.1 --tolerance 0.01 --against rod,length=2.5"),
@@ -56,12 +56,12 @@ RESULTS = {
         lambda: stoss.impact(stoss.Sphere(poisson=0.3), speed=0.01, cutoff=15, state=RINGS),
         f"impact --body sphere --poisson 0.3 --speed 0.01 --cutoff 15 {MODE}"),
     "impact-static": (lambda: stoss.impact(poisson=0.33, speed=0.1, cutoff=15, tail="static"),
-                      "impact --poisson 0.33 --speed 0.1 --cutoff 15 --tail static"),
+                      "impact --body disk --poisson 0.33 --speed 0.1 --cutoff 15 --tail static"),
     "impact-soft": (
         lambda: stoss.impact(poisson=0.33, speed=0.1, cutoff=15, against=stoss.ExponentialWall(hardness=99, strength=2)),
-        "impact --poisson 0.33 --speed 0.1 --cutoff 15 --against exponential,hardness=99,strength=2"),
+        "impact --body disk --poisson 0.33 --speed 0.1 --cutoff 15 --against exponential,hardness=99,strength=2"),
     "impact-resolved": (lambda: stoss.impact(poisson=0.33, speed=0.1, cutoff=15, step=0.01, nodes=100),
-                        "impact --poisson 0.33 --speed 0.1 --cutoff 15 --step 0.01 --nodes 100"),
+                        "impact --body disk --poisson 0.33 --speed 0.1 --cutoff 15 --step 0.01 --nodes 100"),
     "oblique-balls": (
         lambda: stoss.oblique(stoss.Sphere(poisson=0.3), speed=0.05, angle=20, second_spin=0.01, friction=0.3,
                               against=stoss.Sphere(poisson=0.3, radius=2)),
@@ -72,28 +72,28 @@ RESULTS = {
         f"oblique --body sphere --poisson 0.3 --speed 0.05 --tangential 0.02 --friction 0.3 {MODE}"),
     "oblique": (
         lambda: stoss.oblique(stoss.Disk(poisson=0.33), speed=0.1, tangential=0.1, friction=0.3, tolerance=0.1),
-        "oblique --poisson 0.33 --speed 0.1 --tangential 0.1 --friction 0.3 --tolerance 0.1"),
+        "oblique --body disk --poisson 0.33 --speed 0.1 --tangential 0.1 --friction 0.3 --tolerance 0.1"),
     "oblique-ball": (
         lambda: stoss.oblique(BALL, speed=[1.0, 2.0], tangential=0.5, friction=0.3),
         f"oblique --speed 1,2 --tangential 0.5 --friction 0.3 {OF_A_BALL}"),
-    "rayleigh": (lambda: Q.rayleigh(poisson=0.33, speed=1e-3), "quasistatic --poisson 0.33 --speed 1e-3"),
+    "rayleigh": (lambda: Q.rayleigh(poisson=0.33, speed=1e-3), "quasistatic --body disk --poisson 0.33 --speed 1e-3"),
     "rayleigh-ball": (lambda: Q.rayleigh(BALL, speed=[0.01, 0.02]), f"quasistatic --speed 0.01,0.02 {OF_A_BALL}"),
     "rayleigh-law": (lambda: Q.rayleigh(poisson=0.33, speed=[1e-100, 1e-4], law="diameter", cutoff=15),
-                     "quasistatic --poisson 0.33 --speed 1e-100,1e-4 --law diameter --cutoff 15"),
+                     "quasistatic --body disk --poisson 0.33 --speed 1e-100,1e-4 --law diameter --cutoff 15"),
     "rayleigh-hertz": (
         lambda: Q.rayleigh(stoss.Sphere(poisson=0.3), speed=[1e-12, 0.1], law="hertz", cutoff=15),
         "quasistatic --body sphere --poisson 0.3 --speed 1e-12,0.1 --law hertz --cutoff 15"),
     "predict": (lambda: stoss.predict(BALL, speed=[0.5, 1.0]), f"predict --speed 0.5,1 {OF_A_BALL}"),
     "bounce": (lambda: stoss.bounce(poisson=0.33, speed=0.1, count=3, flight_time=9),
-               "bounce --poisson 0.33 --speed 0.1 --count 3 --flight-time 9"),
+               "bounce --body disk --poisson 0.33 --speed 0.1 --count 3 --flight-time 9"),
     "bounce-block": (
         lambda: stoss.bounce(stoss.Sphere(poisson=0.3), against=stoss.HalfSpace(), speed=0.05, count=2, gravity=0.01),
         "bounce --body sphere --poisson 0.3 --speed 0.05 --count 2 --gravity 0.01 --against half-space"),
     "bounce-si": (lambda: stoss.bounce(BALL, speed=1.0, count=2, flight_time=1e-3),
                   f"bounce --speed 1 --count 2 --flight-time 1e-3 {OF_A_BALL}"),
-    "distribution": (lambda: stoss.restitution_distribution(poisson=0.33, **WARM), f"distribution --poisson 0.33 {HEATED}"),
+    "distribution": (lambda: stoss.restitution_distribution(poisson=0.33, **WARM), f"distribution --body disk --poisson 0.33 {HEATED}"),
     "distribution-si": (lambda: stoss.restitution_distribution(DISK, **WARM), f"distribution {OF_A_DISK} {HEATED}"),
-    "modes": (lambda: stoss.modes(poisson=0.33, cutoff=8), "modes --poisson 0.33 --cutoff 8"),
+    "modes": (lambda: stoss.modes(poisson=0.33, cutoff=8), "modes --body disk --poisson 0.33 --cutoff 8"),
     "modes-ball": (lambda: stoss.modes(stoss.Sphere(poisson=0.3), cutoff=8), "modes --body sphere --poisson 0.3 --cutoff 8"),
     "trajectory": (lambda: stoss.impact(ROD, speed=1.0, cutoff=20).trajectory(every=10), None),
     "oblique impact": (oblique_impact, None),

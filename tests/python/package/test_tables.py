@@ -73,12 +73,12 @@ def test_read_csv_gives_back_what_to_csv_wrote(result, tmp_path):
 
 
 JOBS = {
-    "modes": "modes --poisson 0.33 --cutoff 6",
-    "impact": "impact --poisson 0.33 --speed 0.1 --cutoff 10",
-    "restitution": "restitution --poisson 0.2,0.33 --speed 0.01,0.1",
+    "modes": "modes --body disk --poisson 0.33 --cutoff 6",
+    "impact": "impact --body disk --poisson 0.33 --speed 0.1 --cutoff 10",
+    "restitution": "restitution --body disk --poisson 0.2,0.33 --speed 0.01,0.1",
     "distribution": "distribution --body sphere --poisson 0.3 --speed 0.01 --temperature 0.01 --samples 3",
     "bounce": "bounce --body sphere --poisson 0.3 --speed 0.05 --count 3 --flight-time 30",
-    "quasistatic": "quasistatic --poisson 0.33 --speed 0.01,0.02",
+    "quasistatic": "quasistatic --body disk --poisson 0.33 --speed 0.01,0.02",
 }
 
 

@@ -18,7 +18,7 @@ LAWS = ("center", "diameter")
 
 @pytest.mark.parametrize("law", LAWS)
 def test_compressions_are_those_of_the_command(command, law):
-    records = command(f"quasistatic --poisson 0.33 --compression log:1e-12:0.03:5 --law {law}")["records"]
+    records = command(f"quasistatic --body disk --poisson 0.33 --compression log:1e-12:0.03:5 --law {law}")["records"]
     at = {"poisson": 0.33, "law": law}
     for record in records:
         force = quasistatic.compression_force(compression=record["compression"], **at)

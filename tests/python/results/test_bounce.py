@@ -14,7 +14,7 @@ BALL = stoss.Sphere(poisson=0.3)
 
 
 def test_a_first_vibration_is_that_of_the_command(command):
-    records = command("bounce --poisson 0.33 --speed 0.1 --count 3 --flight-time 20 --mode 2,0,energy=0.2,phase=1")
+    records = command("bounce --body disk --poisson 0.33 --speed 0.1 --count 3 --flight-time 20 --mode 2,0,energy=0.2,phase=1")
     ringing = stoss.Oscillation(order=2, index=0, energy=0.2, phase=1)
     ours = stoss.bounce(poisson=0.33, speed=0.1, count=3, flight_time=20, state=ringing)
     assert ours.restitution.tolist() == [record["restitution"] for record in records["records"]]

@@ -11,7 +11,7 @@ export type FromWorker =
   | { kind: 'delivered'; value: unknown; index: number }
   | { kind: 'answer'; value: unknown }
   /** one line: what the core cannot do */
-  | { kind: 'refusal'; line: string; refusal?: Refusal }
+  | { kind: 'refusal'; line: string; refusal: Refusal | undefined }
   /** the worker is of no further use */
   | { kind: 'broken'; line: string };
 

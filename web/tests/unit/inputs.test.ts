@@ -49,7 +49,7 @@ describe('limits', () => {
       expect(problem(defaults, field, text)).toMatch(/: (got|a number is missing)/));
   it('name, got, allowed and a hint are in the line', () => {
     expect(problem(defaults, 'speed', '2')).toBe(
-      'Speed of approach: got 2, allowed 1e-8 to 1 c (speed of approach, 1e-8 to 1 c)');
+      'Speed of approach: got 2, allowed 1e-8 to 1 c (speed of approach, along the normal)');
   });
   it('of a sphere end below one half', () => {
     const sphere = { ...defaults, encounter: withKind(defaults.encounter, 'sphere') };

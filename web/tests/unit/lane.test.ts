@@ -66,7 +66,7 @@ describe('a lane', () => {
     const refused = lane(call(1));
     const next = lane(call(2));
     await settle();
-    last().say({ kind: 'refusal', line: 'speed: got 1' });
+    last().say({ kind: 'refusal', line: 'speed: got 1', refusal: undefined });
     await expect(refused).rejects.toThrow(new CoreError('speed: got 1'));
     await settle();
     last().say({ kind: 'answer', value: 2 });

@@ -9,7 +9,7 @@
  * A cubic in ln v, monotone where the values are, between values computed at 37 speeds.
  *
  * stoss 1.0.0: table
- * command: stoss table --poisson 0.4 --young 1e6 --density 1000 --radius 0.1 --speed 0.01:10 --format c -o restitution.h
+ * command: stoss table --body disk --poisson 0.4 --young 1e6 --density 1000 --radius 0.1 --speed 0.01:10 --format c -o restitution.h
  * body: disk
  * poisson: 0.4
  * material_young[Pa]: 1000000.0

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app.hpp"
+#include "output/fields.hpp"
+#include "stoss/encounter/inputs.hpp"
+
+namespace stoss::cli {
+
+/// The name of the option of an input, without dashes: second-spin of second_spin.
+[[nodiscard]] std::string option_of(std::string_view input);
+
+/// Help of an input: what it is, its range, its units, and what holds without it.
+[[nodiscard]] std::string help_of(const Input& input, Question question);
+
+/// What help shows in place of the value.
+[[nodiscard]] std::string placeholder_of(const Input& input, Question question);
+
+/// The option of an input, declared by the table of inputs.
+template <typename Value>
+CLI::Option* add_input(CLI::App& command, Question question, std::string_view name, Value& value,
+                       const std::string& group) {
+  const Input& its = input(question, name);
+  CLI::Option* option =
+      add(command, "--" + option_of(name), value, help_of(its, question), placeholder_of(its, question), group);
+  return its.use(question)->needed ? option->required() : option;
+}
+
+/// A number of an input in units of the first body. @throws InvalidInput
+[[nodiscard]] double own_value(Question question, std::string_view name, double value, const Units& units);
+
+/// The numbers of an input as typed, in units of the first body. @throws InvalidInput
+[[nodiscard]] std::vector<double> series_of(Question question, std::string_view name, const std::string& text,
+                                            const Units& units);
+
+/// One number of it. @param note why only one
+[[nodiscard]] double number_of(Question question, std::string_view name, const std::string& text, const Units& units,
+                               const std::string& note = {});
+
+/// The ends of a range LOW:HIGH: as typed, and in units of the first body. @throws InvalidInput unless they ascend
+struct Ends {
+  std::pair<double, double> typed, own;
+};
+[[nodiscard]] Ends ends_of(Question question, std::string_view name, const std::string& text, const Units& units);
+
+}  // namespace stoss::cli
