@@ -176,7 +176,7 @@ def test_yield_speed_is_that_of_the_greatest_pressure(stoss):
     ("--speed 0.01,0.2", "speed", "0.2, allowed 1e-12"),
     ("--speed nan", "speed", "nan"),
     (f"{STEEL} --speed 1000", "speed", "1000, allowed 5.17"),
-    ("--speed 0.01 --law printed", "law", "printed with --body sphere, allowed center or hertz"),
+    ("--speed 0.01 --law diameter", "law", "diameter with --body sphere, allowed center or hertz"),
     ("--compression 0.01 --law diameter", "law", "diameter with --body sphere, allowed center or hertz"),
     ("--speed 0.01 --cutoff 1", "cutoff", "1"),
     ("--speed 0.01 --cutoff 1001", "cutoff", "1001"),
