@@ -1,8 +1,7 @@
 #include "contact/response.hpp"
 
 #include "contact/exponential_wall.hpp"
-#include "contact/quasistatic_tail.hpp"
-#include "contact/radiating_tail.hpp"
+#include "contact/tails.hpp"
 
 namespace stoss {
 

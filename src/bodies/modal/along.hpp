@@ -4,7 +4,6 @@
 
 #include "bodies/modal/alternatives.hpp"
 #include "bodies/modal/point_modes.hpp"
-#include "bodies/modal/point_surface.hpp"
 #include "stoss/bodies/modal_body.hpp"
 #include "stoss/body/body.hpp"
 

@@ -10,7 +10,6 @@
 #include "bodies/modal/along.hpp"
 #include "bodies/modal/alternatives.hpp"
 #include "bodies/modal/point_modes.hpp"
-#include "bodies/modal/point_surface.hpp"
 #include "bodies/surface/residual.hpp"
 #include "stoss/bodies/half_space.hpp"
 

@@ -7,11 +7,27 @@
 #include "contact/edge/edge_law.hpp"
 #include "contact/edge/varying_compliance.hpp"
 #include "contact/friction.hpp"
-#include "contact/sided/anderson.hpp"
 #include "contact/sided/sided_compliance.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss {
+
+/// Anderson's acceleration of a fixed-point iteration x ← x + miss(x): the next trial is the combination of the last
+/// ones whose misses, taken for linear, are least (Anderson, J. ACM 12, 547, 1965).
+class Anderson {
+ public:
+  explicit Anderson(std::size_t memory) : memory_(memory) {}
+
+  /// Forgets what was tried, as when the function changes.
+  void forget();
+
+  /// @param share of the miss by which it moves while little is known
+  [[nodiscard]] Eigen::VectorXd next(const Eigen::VectorXd& tried, const Eigen::VectorXd& miss, double share = 1.0);
+
+ private:
+  std::size_t memory_;
+  std::vector<Eigen::VectorXd> tried_, misses_;
+};
 
 /// The contact problem of a step for surfaces in which normal force and friction each move the other's direction, with
 /// points on both sides of the axis, or rings around it: forces f ≥ 0 and friction q such that

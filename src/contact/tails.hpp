@@ -4,6 +4,20 @@
 
 namespace stoss {
 
+/// Hard wall, quasistatic tail: u = W f, of a lossy material W f = u + η u̇ (ResidualMotion without masses), and the
+/// edge law between f and u − x_dyn.
+class QuasistaticTail final : public HardContact {
+ public:
+  QuasistaticTail(const Contact& contact, const ContactGrid& grid, double speed, double step, const Poll& poll);
+  const std::vector<double>& advance(const std::vector<double>& position) override;
+  [[nodiscard]] double stored_energy() const override;
+  [[nodiscard]] std::array<double, 2> dissipated_energy() const override;
+  [[nodiscard]] double protrusion() const override;
+
+ private:
+  std::vector<double> old_displacement_;  // of lossy bodies
+};
+
 /// Hard wall, radiating tail: the modes that are not kept have springs, masses and dashpots (ResidualMotion), and in a
 /// time step u = W′f + h. The same contact problem as with the quasistatic tail, with W′ for W and x_dyn − h for x_dyn.
 class RadiatingTail final : public HardContact {
