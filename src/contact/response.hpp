@@ -16,7 +16,9 @@ class ContactResponse {
  public:
   virtual ~ContactResponse() = default;
 
-  /// Advances by one step to the given positions x_dyn (beyond the wall where positive) and returns the node forces.
+  /// Advances by one step to the given positions x_dyn (beyond the wall where positive) and returns the node forces,
+  /// pushing back where positive, each with that on its mirror image. Called once with the initial positions, then once
+  /// a step. The forces of what stores energy must be the exact gradient of stored_energy.
   virtual const std::vector<double>& advance(const std::vector<double>& position) = 0;
 
   /// Number of leading nodes beyond which the last force vanishes.

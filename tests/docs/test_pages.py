@@ -136,8 +136,25 @@ def test_recipe_of_the_architecture_is_the_one_that_is_compiled():
     files = [*recipe.glob("include/**/*.hpp"), *recipe.glob("src/**/*.cpp")]
     assert len(files) == ARCHITECTURE.count("```cpp")
     assert quoted == {str(file.relative_to(recipe)): file.read_text(encoding="utf-8") for file in files}
-    (patch,) = re.findall(r"```diff\n(.*?)^```$", ARCHITECTURE, re.MULTILINE | re.DOTALL)
-    assert patch == (recipe / "anvil.patch").read_text(encoding="utf-8")
+    patches = re.findall(r"```diff\n(.*?)^```$", ARCHITECTURE, re.MULTILINE | re.DOTALL)
+    assert patches == [(recipe / name).read_text(encoding="utf-8") for name in ("anvil.patch", "half_width.patch")]
+
+
+def test_what_a_new_input_and_a_new_body_touch():
+    """Files that are made or changed: those of the recipes, which apply to the sources as they are."""
+    recipe = ROOT / "tests/docs/recipe"
+    touched = {}
+    for name in ("anvil.patch", "half_width.patch"):
+        check = ["git", "apply", "--check", "--unidiff-zero", str(recipe / name)]
+        subprocess.run(check, cwd=ROOT, check=True)
+        touched[name] = re.findall(r"^\+\+\+ b/(.*)$", (recipe / name).read_text(encoding="utf-8"), re.MULTILINE)
+    section = ARCHITECTURE.partition("## How to add a body")[2].partition("\n## ")[0]
+    made = [str(file.relative_to(recipe)) for file in recipe.glob("*/**/*.?pp")]
+    named = {"CMakeLists.txt", "tests/identities/cases.hpp", "src/encounter/laws.cpp", "src/encounter/inside.cpp"}
+    assert all(f"`{name}`" in section for name in named)
+    folders = ["python/stoss/bodies/", "python/stoss/__init__.py", "tests/", "docs/theory/"]  # class, name, test, chapter
+    assert len({*touched["anvil.patch"], *made, *named, *folders}) <= 15
+    assert len(touched["half_width.patch"]) <= 3
 
 
 def test_class_of_the_recipe_has_the_numbers_of_its_kind():

@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "stoss/encounter.hpp"
+#include "stoss/encounter/inputs.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact.hpp"
 #include "stoss/restitution.hpp"
@@ -52,6 +54,13 @@ TEST(Anvil, IsRefusedWhereItCannotBe) {
   refused(R"({"first": "rod", "against": {"kind": "anvil", "radius": 1}})");
   refused(R"({"first": "rod", "against": {"kind": "anvil", "material": "structural steel"}})");
   refused(R"({"first": {"kind": "sphere", "poisson": 0.3}, "against": {"kind": "anvil"}})");
+}
+
+TEST(HalfWidth, IsAnInputOfImpacts) {
+  const Input& its = input(Question::impact, "half_width");
+  EXPECT_EQ(in_own_units(its, 0.5, std::nullopt, UnitSystem::sphere), 0.5);
+  EXPECT_THROW(require(its, 0.0, std::nullopt, UnitSystem::sphere), InvalidInput);
+  EXPECT_THROW((void)input(Question::bounce, "half_width"), InvalidInput);
 }
 
 TEST(Anvil, MayBeRefined) {
