@@ -5,6 +5,7 @@
 
 #include "questions.hpp"
 #include "stoss/encounter/document.hpp"
+#include "stoss/encounter/inputs.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/encounter/schema.hpp"
 #include "stoss/encounter/series.hpp"
@@ -38,6 +39,15 @@ static void to_json(Json& json, const Kind& kind) {
   for (const Kind& other : kinds()) {
     if (!other.wall && meets(kind, other)) json["meets"].push_back(other.name);
   }
+}
+
+/// Ranges in words of what says how bodies meet, where they are the same in all units.
+static Json ranges_of_motions() {
+  Json ranges = Json::object();
+  for (const Input& each : inputs()) {
+    if (each.use(Question::oblique) && each.dimension == Dimension::none) ranges[std::string(each.name)] = each.range;
+  }
+  return ranges;
 }
 
 static void to_json(Json& json, const NamedMaterial& named) {
@@ -119,8 +129,11 @@ val quantities(const Question&) {
   return val(all.dump());
 }
 
-/// The table of kinds and the named materials, as JSON: web/plugins/kinds.mjs writes them for the page.
-val kinds(const Question&) { return val(Json{{"kinds", stoss::kinds()}, {"materials", named_materials()}}.dump()); }
+/// The table of kinds, the named materials and ranges of inputs, as JSON: web/plugins/kinds.mjs writes them for the
+/// page.
+val kinds(const Question&) {
+  return val(Json{{"kinds", stoss::kinds()}, {"materials", named_materials()}, {"ranges", ranges_of_motions()}}.dump());
+}
 
 /// Units of the first body, and the elastic numbers of both in these. @throws InvalidInput for what cannot meet
 val units(const Question& asked) {

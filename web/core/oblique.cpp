@@ -20,7 +20,7 @@ ObliqueCase at_angle(const Question& asked, const Meeting& meeting, double angle
   return own_units(meeting.encounter, {.speed = asked.number("speed"),
                                        .angle = angle,
                                        .spin = asked.number("spin", 0.0),
-                                       .second_spin = asked.number("spin2", 0.0),
+                                       .second_spin = asked.number("second_spin", 0.0),
                                        .friction = asked.number("friction", 0.0)});
 }
 

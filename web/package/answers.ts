@@ -141,7 +141,7 @@ export interface Motion {
   readonly angle: number;
   /** of both bodies, in c/R of the first, or rad/s in SI, by default 0; they move what touches as the angle does */
   readonly spin?: number;
-  readonly spin2?: number;
+  readonly second_spin?: number;
 }
 
 /** ε_t of one angle, with ε. */

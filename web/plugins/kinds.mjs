@@ -18,10 +18,10 @@ function write(name, text) {
   writeFileSync(file, text);
 }
 
-const { kinds, materials } = asked('kinds');
+const { kinds, materials, ranges } = asked('kinds');
 const constant = (name, value) => `export const ${name} = ${JSON.stringify(value, null, 2)} as const;\n`;
 write('src/generated/kinds.ts',
-  `// Made by plugins/kinds.mjs from the core.\n${constant('kinds', kinds)}${constant('materials', materials)}`);
+  `// Made by plugins/kinds.mjs from the core.\n${constant('kinds', kinds)}${constant('materials', materials)}${constant('ranges', ranges)}`);
 write('package/generated/documents.ts', typesOf(asked('schema')));
 const members = Object.entries(asked('quantities')).map(([name, help]) => `  /** ${help} */\n  readonly ${name}?: Value;\n`);
 write('package/generated/quantities.ts', `// Made by web/plugins/kinds.mjs of the core's tables of quantities.

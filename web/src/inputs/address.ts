@@ -67,10 +67,10 @@ export function fromAddress(text: string): { inputs: Inputs; problem: string } {
 
 /** How they meet; the default for what is wrong. */
 function motionFrom(reader: Reader, encounter: Encounter, problems: string[]): Motion {
-  const { friction, angle, spin, spin2 } = defaults;
-  const usual = { speed: normalSpeed(encounter), friction, angle, spin, spin2 };
+  const { friction, angle, spin, second_spin } = defaults;
+  const usual = { speed: normalSpeed(encounter), friction, angle, spin, second_spin };
   let motion: Motion = usual;
-  for (const name of ['speed', 'friction', 'angle', 'spin', 'spin2'] as const) {
+  for (const name of ['speed', 'friction', 'angle', 'spin', 'second_spin'] as const) {
     if (!motionFieldsOf({ encounter, ...motion }).includes(name)) continue;
     motion = { ...motion, [name]: reader.number(motions[name][2], usual[name], name !== 'speed') };
   }

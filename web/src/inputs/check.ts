@@ -7,7 +7,7 @@ import {
   type Field, type PlacedField, fieldsOf, ofSecond, owner, placedFieldsOf, valueOf, withValue, wordsOf,
 } from './fields';
 import { type Impact, type Inputs, defaults, isOblique, motionOf } from './inputs';
-import { type BodyField, sizeOf } from './kinds';
+import { sizeOf } from './kinds';
 
 /** A number, or in one line what is wrong with the text. */
 export type Parsed = { value: number } | { problem: string };
@@ -60,8 +60,7 @@ export function motionProblem(inputs: Impact): [keyof Motion, string] | undefine
     (isOblique(inputs) ? refusal(() => requireMotion(encounter, motionOf(inputs))) : undefined);
   if (refused === undefined) return undefined;
   const name = nameIn(refused);
-  const aliases: Record<string, keyof Motion> = { tangential: 'angle', second_spin: 'spin2' };
-  const field = aliases[name] ?? (name as keyof Motion);
+  const field = name === 'tangential' ? 'angle' : (name as keyof Motion); // of which it is made
   return [field, problemOf(encounter, field, refused)];
 }
 
@@ -106,14 +105,12 @@ const nameIn = (refused: CoreError): string => refused.refusal?.name ?? '';
 
 /** What a refusal is about: the number that it names, or the size of a second body that does not go with the first. */
 function fieldOf(encounter: Encounter, refused: CoreError): PlacedField | undefined {
-  const words = nameIn(refused).split(' ');
-  const second = words[0] === 'against' || words.at(-1) === 'ratio';
-  const name = words[words[0] === 'against' && words.length > 1 ? 1 : 0]!;
-  const size = sizeOf(meetingOf(encounter).kind);
-  const aliases: Record<string, BodyField> = { transit: size, impedance: 'area', against: size, loss: 'loss_time' };
-  const field = aliases[name] ?? (name as BodyField);
-  const wanted = second ? ofSecond(field) : field;
-  return placedFieldsOf(encounter).includes(wanted) ? wanted : undefined;
+  const name = nameIn(refused);
+  const own = name.replace(/^against ?| ratio$/g, '');
+  const size = own === 'impedance' ? 'area' : sizeOf(meetingOf(encounter).kind);
+  const fields = placedFieldsOf(encounter);
+  const wanted = own === name ? [own] : [`${own}2`, ofSecond(size)];
+  return (wanted as PlacedField[]).find((field) => fields.includes(field));
 }
 
 /** A refusal with the page's name for the number, and no more digits than a reader needs. */

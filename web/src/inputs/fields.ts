@@ -1,6 +1,7 @@
 // The numbers a user types: which of them an encounter has, what they are called, and in what unit.
 import type { Encounter, Motion } from '../core/protocol';
 import { unitInWords } from '../drawing/numbers';
+import { ranges } from '../generated/kinds';
 import { meetingOf, meetsBody, withBody } from './document';
 import { type Impact, isOblique, takesFriction } from './inputs';
 import { type BodyField, blockOf, kindNamed } from './kinds';
@@ -17,10 +18,10 @@ export const motions: Record<
   keyof Motion, [words: string, symbol: string, key: string, own: string, si: string, help: string]
 > = {
   speed: ['Speed of approach', 'v', 'v', 'c', 'm/s', ''],
-  friction: ['Friction', 'μ', 'mu', '', '', 'coefficient of Coulomb’s law, 0 to 5'],
+  friction: ['Friction', 'μ', 'mu', '', '', 'coefficient of Coulomb’s law'],
   angle: ['Angle', 'α', 'angle', '°', '°', 'between the velocity and the normal, along which the speed of approach is'],
   spin: ['Spin', 'Ω', 'spin', 'c/R', 'rad/s', 'positive moves what touches as a positive angle does'],
-  spin2: ['Second spin', 'Ω₂', 'spin2', 'c/R', 'rad/s', 'of what it meets, with the same sign of sliding'],
+  second_spin: ['Second spin', 'Ω₂', 'spin2', 'c/R', 'rad/s', 'of what it meets, with the same sign of sliding'],
 };
 
 /** The fields of bodies that count in an encounter, in the order of the page. */
@@ -34,7 +35,7 @@ export function motionFieldsOf(inputs: Impact): (keyof Motion)[] {
   const { encounter } = inputs;
   if (!takesFriction(encounter)) return ['speed'];
   if (!isOblique(inputs)) return ['speed', 'friction'];
-  return ['speed', 'friction', 'angle', 'spin', ...(meetsBody(encounter) ? ['spin2'] as const : [])];
+  return ['speed', 'friction', 'angle', 'spin', ...(meetsBody(encounter) ? ['second_spin'] as const : [])];
 }
 
 /** All that count. */
@@ -91,7 +92,8 @@ export function wordsOf(encounter: Encounter, field: Field): Words {
   const place = owner(field);
   if (place === undefined) {
     const [words, sign, , own, real, help] = motions[field as keyof Motion];
-    return { name: words, label: `${words} ${sign}`, help, unit: si ? real : own };
+    const range = (ranges as Record<string, string>)[field];
+    return { name: words, label: `${words} ${sign}`, help: range ? `${help}, ${range}` : help, unit: si ? real : own };
   }
   const { name: key, second } = place;
   const { hasPlane, length, parameters } = kindNamed(kind);

@@ -18,7 +18,7 @@ export interface Inputs extends Impact {
 }
 
 /** What is along the surface at first: nothing that counts. */
-const smooth = { friction: 0, angle: 45, spin: 0, spin2: 0 };
+const smooth = { friction: 0, angle: 45, spin: 0, second_spin: 0 };
 
 export const defaults: Inputs = {
   encounter: encounterOf({ kind: 'disk', si: false, plane: 'stress', against: 'wall' }, unitBody),
@@ -65,9 +65,9 @@ export function isOblique({ encounter, friction }: Impact): boolean {
 
 /** How bodies of inputs meet: what does not count is 0. */
 export function motionOf(inputs: Impact): Motion {
-  const { speed, friction, angle, spin, spin2 } = inputs;
-  if (!isOblique(inputs)) return { speed, friction: 0, angle: 0, spin: 0, spin2: 0 };
-  return { speed, friction, angle, spin, spin2: meetsBody(inputs.encounter) ? spin2 : 0 };
+  const { speed, friction, angle, spin, second_spin } = inputs;
+  if (!isOblique(inputs)) return { speed, friction: 0, angle: 0, spin: 0, second_spin: 0 };
+  return { speed, friction, angle, spin, second_spin: meetsBody(inputs.encounter) ? second_spin : 0 };
 }
 
 /** Whether two inputs give the same results. */

@@ -90,8 +90,8 @@ export function ruleArguments(inputs: Inputs): string[] {
 }
 
 /** The numbers of a motion, those along the surface only with friction, by the words of the command and of Python. */
-function wordsOfMotion({ speed, angle, friction, spin, spin2 }: Motion): [string, string][] {
-  const along = friction === 0 ? {} : { angle, friction, ...(spin && { spin }), ...(spin2 && { second_spin: spin2 }) };
+function wordsOfMotion({ speed, angle, friction, spin, second_spin }: Motion): [string, string][] {
+  const along = friction === 0 ? {} : { angle, friction, ...(spin && { spin }), ...(second_spin && { second_spin }) };
   return Object.entries({ speed, ...along }).map(([name, value]) => [name, shortest(value)]);
 }
 

@@ -37,7 +37,7 @@ export function withoutSi(inputs: Inputs): Inputs {
       second && ratios(second.body, units.second!)),
     speed: rounded(inputs.speed / units.speed, 6),
     spin: rounded(inputs.spin * units.time, 6),
-    spin2: rounded(inputs.spin2 * units.time, 6),
+    second_spin: rounded(inputs.second_spin * units.time, 6),
   };
 }
 
@@ -53,8 +53,8 @@ export function withSi(inputs: Inputs): Inputs {
     ...(body.young === 1 && body.density === 1 ? { poisson, loss_time }
       : { poisson: Math.min(body.poisson, poisson), loss_time: rounded(body.loss_time * time, 6) }),
   });
-  const [spin, spin2] = [inputs.spin, inputs.spin2].map((each) => rounded(each / time, 6)) as [number, number];
-  return { ...inputs, encounter: encounterOf(si, ball, second && inSi(second.body)), speed: siSpeed, spin, spin2 };
+  const [spin, second_spin] = [inputs.spin, inputs.second_spin].map((each) => rounded(each / time, 6)) as [number, number];
+  return { ...inputs, encounter: encounterOf(si, ball, second && inSi(second.body)), speed: siSpeed, spin, second_spin };
 }
 
 /** In c of the first body. */

@@ -42,9 +42,9 @@ function createPoints<Point>(most: number, placeOf: (point: Point) => number, ch
 }
 
 /** Angles in degrees, at which no centre is faster along the surface than c; where bodies spin, to both sides. */
-function anglesOf(encounter: Encounter, { speed, angle, spin, spin2 }: Motion): number[] {
+function anglesOf(encounter: Encounter, { speed, angle, spin, second_spin }: Motion): number[] {
   const fastest = (180 / Math.PI) * Math.atan(barSpeed(encounter) / speed);
-  const both = angle < 0 || spin !== 0 || spin2 !== 0;
+  const both = angle < 0 || spin !== 0 || second_spin !== 0;
   return coarseFirst((both ? range(-88, 90, 4) : range(2, 90, 3)).filter((each) => Math.abs(each) <= fastest));
 }
 

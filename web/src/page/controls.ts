@@ -167,8 +167,8 @@ export function createControls(initial: Inputs, listener: Listener) {
   /** What a choice makes of the inputs, by the ids and names of index.html. */
   const choices: Record<string, (value: string) => Inputs> = {
     preset: (value) => {
-      const { encounter, speed, friction, angle, spin, spin2 } = presets.find(({ name }) => name === value) ?? inputs;
-      return { ...inputs, encounter, speed, friction, angle, spin, spin2 };
+      const { encounter, speed, friction, angle, spin, second_spin } = presets.find(({ name }) => name === value) ?? inputs;
+      return { ...inputs, encounter, speed, friction, angle, spin, second_spin };
     },
     against: (value) => ({ ...inputs, encounter: withAgainst(inputs.encounter, value as Choice['against']) }),
     material: (value) => withMaterial(value, false),

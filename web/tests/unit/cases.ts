@@ -45,8 +45,8 @@ export const cases: readonly Inputs[] = [
 /** Collisions with friction. */
 export const obliqueCases: readonly Inputs[] = [
   { ...cases[0]!, friction: 0.3 },
-  { ...cases[2]!, friction: 0.2, angle: -20, spin: 0.05, spin2: -0.1 },
+  { ...cases[2]!, friction: 0.2, angle: -20, spin: 0.05, second_spin: -0.1 },
   { ...cases[4]!, friction: 1, angle: 70, spin: -0.02 },
   { ...cases[10]!, friction: 0.1, angle: 30, spin: 200 },
-  { ...cases[11]!, friction: 0.4, angle: 10, spin: 5, spin2: 20 },
+  { ...cases[11]!, friction: 0.4, angle: 10, spin: 5, second_spin: 20 },
 ];

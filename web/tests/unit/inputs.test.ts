@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { check, parseNumber, problemsOf } from '../../src/inputs/check';
-import { type Field, fieldsOf, valueOf, withValue } from '../../src/inputs/fields';
+import { type Field, fieldsOf, valueOf, withValue, wordsOf } from '../../src/inputs/fields';
 import { type Inputs, defaults, motionOf, withAgainst, withKind } from '../../src/inputs/inputs';
 import { displayed, shortest } from '../../src/drawing/numbers';
 import { equal, meetingOf, unitBody } from '../../src/inputs/document';
@@ -63,6 +63,14 @@ describe('limits', () => {
     const block = { ...defaults, encounter: withAgainst(defaults.encounter, 'half-space') };
     expect(problem(block, 'young2', '1e6')).toBe('');
     expect(problem(block, 'young2', '1e7')).toContain('allowed 0.001 to 1e6');
+  });
+  it('are marked at the number of what it meets, and at the area where impedances differ too much', () => {
+    const rods = { ...defaults, encounter: withAgainst(withKind(defaults.encounter, 'rod'), 'body') };
+    expect(problem(rods, 'loss_time2', '-1')).toMatch(/^Loss time of what it meets: got -1/);
+    expect(problem(rods, 'area2', '1e7')).toMatch(/^Cross-section of what it meets, impedance ratio: got 1e\+07/);
+  });
+  it('of the friction are said as the core has them', () => {
+    expect(wordsOf(defaults.encounter, 'friction').help).toBe('coefficient of Coulomb’s law, 0 to 5');
   });
   it('of the speed in SI follow the bar speed', () => {
     const si = withSi(defaults);
@@ -134,13 +142,13 @@ describe('friction', () => {
   it('brings what is along the surface, and rods have none', () => {
     expect(fieldsOf(defaults).slice(-2)).toEqual(['speed', 'friction']);
     expect(fields({ ...defaults, friction: 0.3 })).toEqual(['loss_time', 'speed', 'friction', 'angle', 'spin']);
-    const pair = { ...defaults, encounter: withAgainst(defaults.encounter, 'same'), friction: 0.3, spin2: 1 };
-    expect(fields(pair)).toEqual(['speed', 'friction', 'angle', 'spin', 'spin2']);
-    expect(motionOf(pair).spin2).toBe(1);
-    expect(motionOf({ ...pair, encounter: defaults.encounter }).spin2).toBe(0);
+    const pair = { ...defaults, encounter: withAgainst(defaults.encounter, 'same'), friction: 0.3, second_spin: 1 };
+    expect(fields(pair)).toEqual(['speed', 'friction', 'angle', 'spin', 'second_spin']);
+    expect(motionOf(pair).second_spin).toBe(1);
+    expect(motionOf({ ...pair, encounter: defaults.encounter }).second_spin).toBe(0);
     const rod = { ...pair, encounter: withKind(pair.encounter, 'rod') };
     expect(fieldsOf(rod).at(-1)).toBe('speed');
-    expect(motionOf(rod)).toEqual({ speed: 0.1, friction: 0, angle: 0, spin: 0, spin2: 0 });
+    expect(motionOf(rod)).toEqual({ speed: 0.1, friction: 0, angle: 0, spin: 0, second_spin: 0 });
   });
   it.each([['friction', '6', 'Friction: got 6, allowed 0 to 5'], ['angle', '90', 'Angle: got 90, allowed -90 to 90'],
     ['angle', '89', 'Angle: got 5.729'], ['spin', '2', 'Spin: got 2, allowed -1 to 1']] as [Field, string, string][])(
