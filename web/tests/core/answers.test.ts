@@ -153,7 +153,7 @@ describe('many answers', { timeout: 60_000 }, () => {
 describe('what is wrong', () => {
   it.each([
     [like(one, { first: { ...unitBody, poisson: 7 } }), 0.1, 'poisson: got 7'],
-    [one, 2, 'speed: got 2, allowed 1e-08 to 1 c'],
+    [one, 2, 'speed: got 2, allowed 1e-8 to 1 c'],
     [one, Number.NaN, 'speed: got nan'],
     [like(one, { against: 'body', second: { ...unitBody, radius: -1 } }), 0.1, 'against radius: got -1'],
     [{ first: { kind: 'rod' }, against: 'half-space' } as Encounter, 0.1, 'against: got half-space'],
