@@ -162,12 +162,9 @@ void bind_oblique_impacts(py::module_& module) {
   module.def("oblique_curve", &compute, py::arg("contact"), py::arg("cases"), py::arg("tolerance"), py::arg("threads"),
              py::arg("state"), py::arg("rows").noconvert(), py::arg("reasons"), py::arg("tick"),
              "fills rows and reasons; calls tick, unless it is None, after each");
-  module.def(
-      "tangential_at",
-      [](const Doubles& angle, const Doubles& speed) {
-        return over([&](std::size_t i) { return tangential_at(angle.data()[i], speed.data()[i]); }, angle, speed);
-      },
-      py::arg("angle"), py::arg("speed"), "degrees from the normal");
+  bind_over(
+      module, "tangential_at", [](double angle, double speed) { return tangential_at(angle, speed); }, "angle",
+      "speed");
 }
 
 }  // namespace stoss::python

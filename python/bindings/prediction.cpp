@@ -41,13 +41,7 @@ py::list predictions(const Encounter& encounter, const Doubles& speeds, std::opt
 }  // namespace
 
 void bind_prediction(py::module_& module) {
-  module.def(
-      "speed_of_drop",
-      [](const Doubles& heights) {
-        const double* height = heights.data();
-        return over([&](std::size_t i) { return speed_of_drop(height[i]); }, heights);
-      },
-      py::arg("heights"));
+  bind_over(module, "speed_of_drop", &speed_of_drop, "heights");
   module.def("predict", &predictions, py::arg("encounter"), py::arg("speeds"), py::arg("adhesion"),
              py::arg("uncertainties"), py::arg("tolerance"), py::arg("threads"),
              "the quantities of each, with influences (constant, uncertainty, change) and warnings");

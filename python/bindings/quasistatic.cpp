@@ -1,8 +1,6 @@
 // Slow contacts along a line, of disks, and at a point, of spheres.
 #include "stoss/quasistatic.hpp"
 
-#include <optional>
-
 #include "rows.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "support.hpp"
@@ -97,81 +95,46 @@ py::dict static_contact_numbers(const Pressed& body, double compression, int nod
                   "position"_a = take(std::move(contact.position)), "pressure"_a = take(std::move(contact.pressure)));
 }
 
-void bind_hertz(py::module_& module) {
+/// Stress and pressure below contacts, and what is pushed along a wall.
+void bind_statics(py::module_& module) {
+  const auto poisson = py::arg("poisson"), force = py::arg("force"), depth = py::arg("depth");
   module.def(
       "point_hertz_pressure",
-      [](double poisson, const Doubles& force, const Doubles& distance) {
-        const double *f = force.data(), *r = distance.data();
-        return over([&](std::size_t i) { return point_hertz_pressure(point_hertz_at_wall(poisson, f[i]), r[i]); },
-                    force, distance);
+      [](double nu, const Doubles& forces, const Doubles& distances) {
+        return over([&](double f, double r) { return point_hertz_pressure(point_hertz_at_wall(nu, f), r); }, forces,
+                    distances);
       },
-      py::arg("poisson"), py::arg("force"), py::arg("distance"));
+      poisson, force, py::arg("distance"));
   module.def(
       "point_hertz_stress",
-      [](double poisson, const Doubles& force, const Doubles& depth, const Doubles& distance) {
-        const double *f = force.data(), *z = depth.data(), *r = distance.data();
+      [](double nu, const Doubles& forces, const Doubles& depths, const Doubles& distances) {
         return over(
-            [&](std::size_t i) { return point_hertz_stress(point_hertz_at_wall(poisson, f[i]), poisson, z[i], r[i]); },
-            force, depth, distance);
+            [&](double f, double z, double r) { return point_hertz_stress(point_hertz_at_wall(nu, f), nu, z, r); },
+            forces, depths, distances);
       },
-      py::arg("poisson"), py::arg("force"), py::arg("depth"), py::arg("distance"),
-      "structured array of radial, hoop, axial, shear");
+      poisson, force, depth, py::arg("distance"), "structured array of radial, hoop, axial, shear");
   module.def(
       "greatest_shear",
-      [](double poisson, const Doubles& force) {
-        const double* f = force.data();
-        return over([&](std::size_t i) { return greatest_shear(point_hertz_at_wall(poisson, f[i]), poisson); }, force);
+      [](double nu, const Doubles& forces) {
+        return over([&](double f) { return greatest_shear(point_hertz_at_wall(nu, f), nu); }, forces);
       },
-      py::arg("poisson"), py::arg("force"), "structured array of depth, shear");
-}
-
-/// A function of one number, over an array.
-void bind_over(py::module_& module, const char* name, double (*function)(double), const char* argument) {
-  module.def(
-      name,
-      [function](const Doubles& values) {
-        const double* x = values.data();
-        return over([&](std::size_t i) { return function(x[i]); }, values);
-      },
-      py::arg(argument));
-}
-
-void bind_oblique(py::module_& module) {
+      poisson, force, "structured array of depth, shear");
   module.def(
       "maw",
       [](const Doubles& psi1, const Doubles& chi, double tolerance) {
-        const double *psi = psi1.data(), *at = chi.data();
-        return over([&](std::size_t i) { return maw(psi[i], at[i], tolerance); }, psi1, chi);
+        return over([&](double psi, double at) { return maw(psi, at, tolerance); }, psi1, chi);
       },
       py::arg("psi1"), py::arg("chi"), py::arg("tolerance"), "structured array of what Maw's impact leaves");
+  bind_over(
+      module, "hertz_pressure", [](double f, double y) { return hertz_pressure(f, y); }, "force", "y");
+  bind_over(
+      module, "hertz_stress", [](double f, double x, double y) { return hertz_stress(f, x, y); }, "force", "depth",
+      "y");
   bind_over(module, "mindlin_ratio", &mindlin_ratio, "poisson");
   bind_over(module, "mindlin_force", &mindlin_force, "displacement");
   bind_over(module, "mindlin_displacement", &mindlin_displacement, "tangential");
   bind_over(module, "mindlin_stick_radius", &mindlin_stick_radius, "tangential");
-  module.def(
-      "mindlin_traction",
-      [](const Doubles& tangential, const Doubles& distance) {
-        const double *t = tangential.data(), *r = distance.data();
-        return over([&](std::size_t i) { return mindlin_traction(t[i], r[i]); }, tangential, distance);
-      },
-      py::arg("tangential"), py::arg("distance"));
-}
-
-void bind_stresses(py::module_& module) {
-  module.def(
-      "hertz_pressure",
-      [](const Doubles& force, const Doubles& y) {
-        const double *f = force.data(), *along = y.data();
-        return over([&](std::size_t i) { return hertz_pressure(f[i], along[i]); }, force, y);
-      },
-      py::arg("force"), py::arg("y"));
-  module.def(
-      "hertz_stress",
-      [](const Doubles& force, const Doubles& depth, const Doubles& y) {
-        const double *f = force.data(), *down = depth.data(), *along = y.data();
-        return over([&](std::size_t i) { return hertz_stress(f[i], down[i], along[i]); }, force, depth, y);
-      },
-      py::arg("force"), py::arg("depth"), py::arg("y"), "structured array of xx, yy, xy");
+  bind_over(module, "mindlin_traction", &mindlin_traction, "tangential", "distance");
 }
 
 }  // namespace
@@ -204,9 +167,7 @@ void bind_quasistatic(py::module_& module) {
         return static_contact_numbers(Sphere{.poisson = nu}, compression, nodes);
       },
       poisson, py::arg("compression"), py::arg("nodes"));
-  bind_hertz(module);
-  bind_oblique(module);
-  bind_stresses(module);
+  bind_statics(module);
 }
 
 }  // namespace stoss::python

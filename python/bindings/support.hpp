@@ -119,21 +119,30 @@ py::dict to_dict(const Quantities<Result>& quantities, const Result& result) {
   return dict;
 }
 
-/// An array of function(i), which is computed without the interpreter, for arrays of one size.
+/// An array of what a function has for each of the numbers of arrays of one size, computed without the interpreter.
 template <typename Function, typename... Arrays>
 auto over(const Function& function, const Doubles& first, const Arrays&... others) {
   const auto size = static_cast<std::size_t>(first.size());
   if ((... || (others.size() != first.size()))) throw std::invalid_argument("arrays: all of one size");
-  std::vector<decltype(function(size))> values(size);
-  const Poll poll = signal_poll();
-  {
-    const Released released;
+  return take(computed([&](const Poll& poll) {
+    std::vector<decltype(function(first.data()[0], others.data()[0]...))> values(size);
     for (std::size_t i = 0; i < size; ++i) {
       if (poll) poll();
-      values[i] = function(i);
+      values[i] = function(first.data()[i], others.data()[i]...);
     }
-  }
-  return take(std::move(values));
+    return values;
+  }));
+}
+
+/// The same for each of the names of arguments.
+template <typename>
+using ArrayFor = Doubles;
+
+/// Binds a function of numbers, over an array of each. @param names of its arguments
+template <typename Function, typename... Names>
+void bind_over(py::module_& module, const char* name, const Function& function, const Names&... names) {
+  module.def(
+      name, [function](const ArrayFor<Names>&... arrays) { return over(function, arrays...); }, py::arg(names)...);
 }
 
 /// The law of compression of a name, of lines or of points. @throws std::invalid_argument for another name
@@ -144,9 +153,8 @@ Law to_law(const std::string& name);
 template <typename Law>
 auto over_law(double (*function)(Law, double, double)) {
   return [function](const std::string& law, const Doubles& poisson, const Doubles& argument) {
-    const Law chosen = to_law<Law>(law);
-    const double *nu = poisson.data(), *x = argument.data();
-    return over([&](std::size_t i) { return function(chosen, nu[i], x[i]); }, poisson, argument);
+    return over([&, chosen = to_law<Law>(law)](double nu, double x) { return function(chosen, nu, x); }, poisson,
+                argument);
   };
 }
 
@@ -154,9 +162,7 @@ auto over_law(double (*function)(Law, double, double)) {
 template <typename Law>
 auto over_law(double (*function)(Law, double)) {
   return [function](const std::string& law, const Doubles& poisson) {
-    const Law chosen = to_law<Law>(law);
-    const double* nu = poisson.data();
-    return over([&](std::size_t i) { return function(chosen, nu[i]); }, poisson);
+    return over([&, chosen = to_law<Law>(law)](double nu) { return function(chosen, nu); }, poisson);
   };
 }
 

@@ -42,13 +42,13 @@ void bind_function(py::module_& module) {
       .def(
           "values",
           [](const RestitutionFunction& self, const Doubles& speeds) {
-            return over([&, at = speeds.data()](std::size_t i) { return self.value(at[i]); }, speeds);
+            return over([&](double at) { return self.value(at); }, speeds);
           },
           py::arg("speeds"))
       .def(
           "errors",
           [](const RestitutionFunction& self, const Doubles& speeds) {
-            return over([&, at = speeds.data()](std::size_t i) { return self(at[i]).error; }, speeds);
+            return over([&](double at) { return self(at).error; }, speeds);
           },
           py::arg("speeds"))
       .def("greatest_error", &RestitutionFunction::greatest_error)
@@ -95,15 +95,13 @@ void bind_pair_table(py::module_& module) {
       .def(
           "values",
           [](const PairTable& self, const Doubles& speeds, const Doubles& ratios) {
-            const double *v = speeds.data(), *r = ratios.data();
-            return over([&](std::size_t i) { return self.value(v[i], r[i]); }, speeds, ratios);
+            return over([&](double v, double r) { return self.value(v, r); }, speeds, ratios);
           },
           py::arg("speeds"), py::arg("ratios"))
       .def(
           "errors",
           [](const PairTable& self, const Doubles& speeds, const Doubles& ratios) {
-            const double *v = speeds.data(), *r = ratios.data();
-            return over([&](std::size_t i) { return self(v[i], r[i]).error; }, speeds, ratios);
+            return over([&](double v, double r) { return self(v, r).error; }, speeds, ratios);
           },
           py::arg("speeds"), py::arg("ratios"))
       .def("greatest_error", &PairTable::greatest_error)
