@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "check.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::bodies {

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "check.hpp"
 #include "restitution/ordered_jobs.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/curve.hpp"
