@@ -42,17 +42,10 @@ BounceOptions make_options(const BounceArguments& arguments, const Encounter& en
 }
 
 Provenance describe(const BounceArguments& arguments, const Encounter& encounter) {
-  Provenance provenance{"bounce", command_line(), {}};
-  auto& inputs = provenance.inputs;
-  const bool si = units_of(encounter).si.has_value();
-  cli::describe(encounter, inputs);
-  arguments.approach.describe(units_of(encounter), inputs);
-  if (arguments.flight_time) inputs[si ? "flight_time[s]" : "flight_time"] = *arguments.flight_time;
-  if (arguments.gravity) inputs[si ? "gravity[m/s^2]" : "gravity"] = *arguments.gravity;
-  if (arguments.decay_time) inputs[si ? "decay_time[s]" : "decay_time"] = *arguments.decay_time;
-  inputs["cutoff"] = arguments.cutoff;
-  if (!is_soft(encounter)) inputs["tail"] = arguments.tail;
-  return provenance;
+  Provenance its = provenance(*arguments.command, encounter);
+  its.inputs["cutoff"] = arguments.cutoff;
+  if (!is_soft(encounter)) its.inputs["tail"] = arguments.tail;
+  return its;
 }
 
 Fields<Bounce> bounce_fields(const Units& units) {

@@ -65,16 +65,10 @@ Ensemble make_ensemble(DistributionArguments& arguments, const Encounter& encoun
 }
 
 Provenance describe(const DistributionArguments& arguments, const Encounter& encounter, const Ensemble& ensemble) {
-  Provenance provenance{"distribution", command_line(), {}};
-  auto& inputs = provenance.inputs;
-  cli::describe(encounter, inputs);
-  arguments.approach.describe(ensemble.units, inputs);
-  arguments.spectrum.describe(inputs);
-  inputs["modes"] = ensemble.spectrum.size();
-  inputs["samples"] = arguments.samples;
-  inputs["seed"] = arguments.seed;
-  inputs["error"] = arguments.error;
-  return provenance;
+  Provenance its = provenance(*arguments.command, encounter);
+  arguments.spectrum.describe(its.inputs);
+  its.inputs["modes"] = ensemble.spectrum.size();
+  return its;
 }
 
 Fields<Sample> sample_fields(const Units& units) {

@@ -31,10 +31,10 @@ struct ImpactArguments {
 };
 
 Provenance describe(const ImpactArguments& arguments, const Encounter& encounter) {
-  Provenance provenance{"impact", command_line(), {}};
-  cli::describe(encounter, provenance.inputs);
-  if (!is_soft(encounter)) provenance.inputs["tail"] = arguments.tail;
-  return provenance;
+  Provenance its = provenance(*arguments.command, encounter);
+  its.inputs["cutoff"] = arguments.cutoff;
+  if (!is_soft(encounter)) its.inputs["tail"] = arguments.tail;
+  return its;
 }
 
 /// The one row of the result, and its columns.
@@ -104,11 +104,8 @@ Impact compute(const ImpactArguments& arguments, const Encounter& encounter, con
   if (arguments.trajectory.empty()) return impact(contact, speed, options);
   Provenance provenance = describe(arguments, encounter);
   provenance.schema = "trajectory";
-  const Units units = units_of(encounter);
   provenance.inputs["speed"] = speed;
-  if (units.si) provenance.inputs["speed_si[m/s]"] = speed * units.si->speed;
-  provenance.inputs["cutoff"] = arguments.cutoff;
-  const Fields<Snapshot> fields(snapshot_quantities(), units);
+  const Fields<Snapshot> fields(snapshot_quantities(), units_of(encounter));
   Writer writer(Output(arguments.trajectory), Format::csv, provenance, fields.columns());
   Impact result;
   writer.finish_after([&] {

@@ -5,6 +5,7 @@
 
 #include "app.hpp"
 #include "input/encounter.hpp"
+#include "input/inputs.hpp"
 #include "output/output_options.hpp"
 #include "output/progress.hpp"
 #include "process/process.hpp"
@@ -26,9 +27,9 @@ double in_hertz(const Scales& si) { return si.frequency / (2.0 * std::numbers::p
 template <typename Mode>
 void write(const ModesArguments& arguments, Output output, const Encounter& encounter,
            const Quantities<Mode>& quantities, const std::vector<Mode>& modes) {
-  nlohmann::ordered_json inputs;
-  describe_first(encounter, inputs);
-  inputs["cutoff"] = arguments.cutoff;
+  Provenance its = provenance(*arguments.command, encounter);
+  its.inputs.erase("against");
+  its.inputs["cutoff"] = arguments.cutoff;
   Units units = units_of(encounter);
   const auto si = std::exchange(units.si, std::nullopt);  // in SI, frequencies are in Hz
   const Shown number{.width = 13};
@@ -41,8 +42,7 @@ void write(const ModesArguments& arguments, Output output, const Encounter& enco
                              {"family", number}});
   Columns columns = fields.columns();
   if (si) columns.push_back({"frequency", "Hz", 13});
-  Writer writer(std::move(output), arguments.output.chosen_format(), {"modes", command_line(), std::move(inputs)},
-                columns);
+  Writer writer(std::move(output), arguments.output.chosen_format(), std::move(its), columns);
   for (const Mode& mode : modes) {
     Row row = fields.row(mode);
     if (si) row.emplace_back(mode.omega * in_hertz(*si));

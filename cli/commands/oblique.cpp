@@ -99,24 +99,6 @@ Collisions make_collisions(const ObliqueArguments& arguments) {
   return made;
 }
 
-Provenance describe(const ObliqueArguments& arguments, const Collisions& collisions) {
-  Provenance provenance{"oblique", command_line(), {}};
-  auto& inputs = provenance.inputs;
-  cli::describe(collisions.encounter, inputs);
-  const bool in_si = collisions.units.si.has_value();
-  arguments.approach.describe(collisions.units, inputs);
-  if (arguments.has_angles()) {
-    inputs["angle[deg]"] = as_typed(arguments.angles);
-  } else {
-    inputs[in_si ? "tangential[m/s]" : "tangential"] = as_typed(arguments.tangentials);
-  }
-  inputs[in_si ? "spin[rad/s]" : "spin"] = as_typed(arguments.spins);
-  inputs[in_si ? "second_spin[rad/s]" : "second_spin"] = as_typed(arguments.second_spins);
-  inputs["friction"] = arguments.friction;
-  inputs["tolerance"] = arguments.tolerance;
-  return provenance;
-}
-
 RowPlan plan_of(const Collisions& collisions, const Columns& results, NeglectedNote& note) {
   Columns columns = collisions.key_columns();
   append(columns, results, yielding(collisions.encounter).columns());
@@ -147,7 +129,7 @@ void run(const ObliqueArguments& asked) {
   const Yielding yields = yielding(collisions.encounter);
   NeglectedNote note;
   RowRun run(plan_of(collisions, fields.columns(), note), arguments.rows);
-  run.write(describe(arguments, collisions), [&] {
+  run.write(provenance(*arguments.command, collisions.encounter), [&] {
     const std::vector<ObliqueCase> cases(collisions.cases.begin() + static_cast<std::ptrdiff_t>(run.done()),
                                          collisions.cases.end());
     options.each.poll = [&run] {

@@ -51,14 +51,9 @@ PredictionOptions options_of(const PredictArguments& arguments) {
 }
 
 Provenance describe(const PredictArguments& arguments, const Encounter& encounter) {
-  Provenance provenance{"predict", command_line(), {}};
-  auto& inputs = provenance.inputs;
-  cli::describe(encounter, inputs);
-  arguments.approach.describe(units_of(encounter), inputs);
-  if (arguments.adhesion) inputs["adhesion[J/m^2]"] = *arguments.adhesion;
-  for (const std::string& each : arguments.uncertainties) inputs["uncertainty"].push_back(each);
-  inputs["tolerance"] = arguments.tolerance;
-  return provenance;
+  Provenance its = provenance(*arguments.command, encounter);
+  if (!arguments.uncertainties.empty()) its.inputs["uncertainty"] = arguments.uncertainties;
+  return its;
 }
 
 nlohmann::ordered_json details_of(const Prediction& prediction) {

@@ -7,6 +7,7 @@
 #include "app.hpp"
 #include "commands/quasistatic.hpp"
 #include "input/encounter.hpp"
+#include "input/inputs.hpp"
 #include "output/output_options.hpp"
 #include "output/progress.hpp"
 #include "process/process.hpp"
@@ -178,10 +179,9 @@ std::variant<LineContact, PointContact> contact_of(const Solid& solid, const std
 void run(const QuasistaticArguments& arguments) {
   const bool speeds = given(*arguments.command, "--speed");
   if (!speeds && !given(*arguments.command, "--compression")) throw CLI::RequiredError("--speed or --compression");
-  Provenance provenance{"quasistatic", command_line(), {}};
   const Encounter encounter{.first = arguments.body.body()};
   validate(encounter);
-  describe_first(encounter, provenance.inputs);
+  Provenance provenance = cli::provenance(*arguments.command, encounter);
   const auto contact = contact_of(first_solid(encounter), arguments.law);
   provenance.inputs["law"] = arguments.law;
   const auto write = [&](const auto& of) {

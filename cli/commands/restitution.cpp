@@ -112,14 +112,9 @@ Job make_job(RestitutionArguments& arguments) {
 }
 
 Provenance describe(const RestitutionArguments& arguments, const Job& job) {
-  Provenance provenance{"restitution", command_line(), {}};
-  auto& inputs = provenance.inputs;
-  cli::describe(job.encounter, inputs);
-  if (!job.units.si && has_poisson(job.encounter.first)) inputs["poisson"] = as_typed(arguments.poissons);
-  arguments.approach.describe(job.units, inputs);
-  inputs["tolerance"] = arguments.tolerance;
-  inputs["absolute"] = arguments.absolute;
-  return provenance;
+  Provenance its = provenance(*arguments.command, job.encounter);
+  if (job.poissons.size() > 1) its.inputs["first"]["poisson"] = arguments.poissons;
+  return its;
 }
 
 Fields<Restitution> restitution_fields(const Units& units) {

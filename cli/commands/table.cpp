@@ -64,18 +64,11 @@ TableJob make_job(const TableArguments& arguments) {
 }
 
 Provenance describe(const TableArguments& arguments, const TableJob& job) {
-  Provenance provenance{"table", command_line(), {}};
-  auto& inputs = provenance.inputs;
-  cli::describe(job.encounter, inputs);
-  arguments.approach.describe(units_of(job.encounter), inputs);
-  if (!arguments.ratio.empty()) inputs["ratio"] = arguments.ratio;
-  inputs["error"] = arguments.error;
-  if (arguments.oblique) inputs["tolerance"] = arguments.tolerance;
-  if (arguments.friction) inputs["friction"] = *arguments.friction;
-  if (arguments.predicted) inputs["models"] = "yield, adhesion";
-  if (arguments.adhesion) inputs["adhesion[J/m^2]"] = *arguments.adhesion;
-  inputs["beyond"] = arguments.beyond;
-  return provenance;
+  Provenance its = provenance(*arguments.command, job.encounter);
+  if (!arguments.oblique) its.inputs.erase("tolerance");
+  if (arguments.predicted) its.inputs["models"] = "yield, adhesion";
+  its.inputs["beyond"] = arguments.beyond;
+  return its;
 }
 
 std::string text_of_function(const TableArguments& arguments, TableJob& job) {

@@ -47,14 +47,4 @@ Ends ApproachOptions::ends(const Units& units) const {
   return {{slowest, fastest}, {own(slowest), own(fastest)}};
 }
 
-void ApproachOptions::describe(const Units& units, nlohmann::ordered_json& inputs) const {
-  const bool range = input(question, "speed").use(question)->form == Form::range;
-  const auto typed = [&](const std::string& text) { return range ? nlohmann::ordered_json(text) : as_typed(text); };
-  if (!height.empty()) {
-    inputs["height[m]"] = typed(height);
-  } else {
-    inputs[units.si ? "speed[m/s]" : "speed"] = typed(speed);
-  }
-}
-
 }  // namespace stoss::cli

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -23,9 +22,6 @@ struct ApproachOptions {
 
   /// The ends of a range.
   [[nodiscard]] Ends ends(const Units& units) const;
-
-  /// Adds what was given to the inputs of a result.
-  void describe(const Units& units, nlohmann::ordered_json& inputs) const;
 
  private:
   void require_given(const Units& units) const;

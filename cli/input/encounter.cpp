@@ -5,13 +5,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <map>
 
 #include "app.hpp"
 #include "input/words.hpp"
 #include "process/text.hpp"
-#include "stoss/encounter/modal_file.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"
 
@@ -94,89 +91,6 @@ Participant parse_against(const std::string& text, const Participant& first) {
   return against;
 }
 
-using Json = nlohmann::ordered_json;
-
-/// As the core computes with it.
-std::optional<double> poisson_of(const Solid& solid) {
-  return std::visit(
-      [](const auto& of) -> std::optional<double> {
-        if constexpr (requires { of.poisson; }) return of.poisson;
-        return std::nullopt;
-      },
-      solid);
-}
-
-bool is_size(const Parameter& parameter) { return !parameter.of_material && parameter.name != "loss_time"; }
-
-/// A body of a file: what it is, and what tells it from others.
-void describe_modal(const std::string& prefix, const ModalBody& its, Json& inputs) {
-  inputs[prefix + "name"] = its.name;
-  if (!its.origin.empty()) inputs[prefix + "origin"] = its.origin;
-  inputs[prefix + "mass[kg]"] = its.mass;
-  inputs[prefix + "modes"] = its.modes.size();
-  std::uint64_t digest = 14695981039346656037U;  // Fowler, Noll and Vo
-  for (const char c : to_json(its)) digest = (digest ^ static_cast<unsigned char>(c)) * 1099511628211U;
-  inputs[prefix + "digest"] = fmt::format("{:016x}", digest);
-}
-
-/// A material and the sizes that go with it. @param prefix of the names
-void describe_in_si(const std::string& prefix, const Participant& of, Json& inputs) {
-  if (of.modal) describe_modal(prefix, *of.modal, inputs);
-  const Kind& its = kind(of.kind);
-  if (!of.material_name.empty()) inputs[prefix + "material"] = of.material_name;
-  inputs[prefix + "material_young[Pa]"] = of.material->young;
-  if (its.has_plane) inputs[prefix + "material_poisson"] = of.material->poisson;
-  inputs[prefix + "material_density[kg/m^3]"] = of.material->density;
-  if (of.material->yield_strength && its.can_yield)
-    inputs[prefix + "material_yield[Pa]"] = *of.material->yield_strength;
-  for (const Parameter& each : its.parameters) {
-    const auto size = of.values.find(each.name);
-    if (is_size(each) && size != of.values.end()) {
-      inputs[fmt::format("{}{}[{}]", prefix, each.name, each.unit)] = size->second;
-    }
-  }
-}
-
-/// As ratios to the first body.
-void describe_ratios(const std::string& prefix, const Participant& of, Json& inputs) {
-  for (const Parameter& each : kind(of.kind).parameters) {
-    if (each.name == "loss_time") continue;
-    const auto found = of.values.find(each.name);
-    Json& value = inputs[prefix + std::string(each.name)];
-    if (found != of.values.end()) {
-      value = found->second;
-    } else if (each.otherwise) {
-      value = *each.otherwise;
-    } else {
-      value = each.of_material ? "as the first" : "without end";
-    }
-  }
-}
-
-void describe_against(const Encounter& encounter, Json& inputs) {
-  const Participant& against = encounter.against;
-  if (kind(against.kind).wall) return describe_ratios("against_", against, inputs);
-  if (const auto found = against.values.find("loss_time"); found != against.values.end()) {
-    inputs[against.material ? "against_loss_time[s]" : "against_loss_time"] = found->second;
-  }
-  if (against.material) {
-    if (const auto its = poisson_of(*second_solid(encounter))) inputs["against_poisson"] = *its;
-    describe_in_si("against_", against, inputs);
-  } else {
-    describe_ratios("against_", against, inputs);
-  }
-  for (std::size_t i = 0; i < against.below.size(); ++i) {
-    const std::string prefix = fmt::format("against_layer_{}_", i + 2);
-    const Participant& layer = against.below[i];
-    if (!layer.material) {
-      describe_ratios(prefix, layer, inputs);
-      continue;
-    }
-    inputs[prefix + "poisson"] = layer.material->poisson;
-    describe_in_si(prefix, layer, inputs);
-  }
-}
-
 }  // namespace
 
 void EncounterOptions::add_to(CLI::App& to, bool exponential, const std::string& note) {
@@ -214,31 +128,13 @@ void refuse_soft(const Encounter& encounter, const std::string& hint) {
   if (is_soft(encounter)) throw InvalidInput::out_of_range("against", "exponential", "wall, same or a body" + hint);
 }
 
-std::optional<double> poisson_of(const Encounter& encounter) { return poisson_of(first_solid(encounter)); }
-
-void describe_first(const Encounter& encounter, Json& inputs) {
-  const Participant& first = encounter.first;
-  inputs["body"] = first.kind;
-  if (const auto its = poisson_of(encounter)) inputs["poisson"] = *its;
-  const auto si = si_scales(encounter);
-  if (!si) return;
-  describe_in_si("", first, inputs);
-  if (kind(first.kind).has_plane) inputs["plane"] = first.plane == Plane::strain ? "strain" : "stress";
-  inputs["c[m/s]"] = si->speed;
-  inputs[fmt::format("{}[s]", unit_name(Dimension::time, kind(first.kind).own))] = si->time;
-}
-
-void describe(const Encounter& encounter, Json& inputs) {
-  describe_first(encounter, inputs);
-  const Participant& first = encounter.first;
-  if (first.rigid) inputs["rigid_body"] = true;
-  if (const auto found = first.values.find("loss_time"); found != first.values.end() && found->second != 0.0) {
-    inputs[first.material ? "loss_time[s]" : "loss_time"] = found->second;
-  }
-  inputs["against"] = encounter.against.kind;
-  if (encounter.against.rigid) inputs["against_rigid"] = true;
-  describe_against(encounter, inputs);
-  describe(encounter.vibration, inputs);
+std::optional<double> poisson_of(const Encounter& encounter) {
+  return std::visit(
+      [](const auto& of) -> std::optional<double> {
+        if constexpr (requires { of.poisson; }) return of.poisson;
+        return std::nullopt;
+      },
+      first_solid(encounter));
 }
 
 }  // namespace stoss::cli

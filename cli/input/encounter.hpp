@@ -77,10 +77,6 @@ struct EncounterOptions {
   [[nodiscard]] Encounter encounter() const;
 };
 
-/// Adds the first body, or who meets whom, to the inputs of a result.
-void describe_first(const Encounter& encounter, nlohmann::ordered_json& inputs);
-void describe(const Encounter& encounter, nlohmann::ordered_json& inputs);
-
 /// Whether bodies of its kind have a Poisson's ratio.
 [[nodiscard]] inline bool has_poisson(const Participant& of) { return parameter(kind(of.kind), "poisson") != nullptr; }
 
@@ -106,17 +102,11 @@ struct Allowed {
 [[nodiscard]] std::vector<double> parse_series_in(const std::string& name, const std::string& text, Dimension dimension,
                                                   const Units& units, const Allowed& allowed);
 
-/// Numbers as typed, for the inputs of a result: one as a number, more than one as text.
-[[nodiscard]] nlohmann::ordered_json as_typed(const std::string& text);
-
 /// --mode, as often as there are modes: how the bodies vibrate before the impact.
 void add_modes_to(CLI::App& command, std::vector<std::string>& modes);
 
 /// @throws InvalidInput for what is no mode
 [[nodiscard]] Vibration vibration_of(const std::vector<std::string>& modes);
-
-/// Adds the modes to the inputs of a result, if there are any.
-void describe(const Vibration& modes, nlohmann::ordered_json& inputs);
 
 /// How the bodies of an ensemble vibrate on average: --temperature and --highest, or --spectrum.
 struct SpectrumArguments {

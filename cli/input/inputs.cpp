@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdint>
 
 #include "process/text.hpp"
+#include "stoss/encounter/document.hpp"
+#include "stoss/encounter/modal_file.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/encounter/visible.hpp"
 #include "stoss/errors.hpp"
@@ -18,6 +22,29 @@ std::string units_in_words(const Input& its) {
   if (its.dimension == Dimension::none) return its.unit.empty() ? "" : fmt::format(" {}", its.unit);
   return fmt::format(" {} (with a material {})", unit_name(its.dimension, UnitSystem::sphere),
                      unit_name(its.dimension, UnitSystem::sphere_si));
+}
+
+/// As typed or by default; null where it is neither, or given by another option in its place.
+nlohmann::ordered_json described(const CLI::Option& option, const Use& use) {
+  if (option.count() == 0) {
+    const auto is_given = [](const CLI::Option* other) { return other->count() > 0; };
+    const auto& others = option.get_excludes();
+    if (!use.usual || std::any_of(others.begin(), others.end(), is_given)) return nullptr;
+    return use.form == Form::whole ? nlohmann::ordered_json(std::llround(*use.usual))
+                                   : nlohmann::ordered_json(*use.usual);
+  }
+  std::string text = option.results().front();
+  std::erase(text, ' ');
+  if (use.form == Form::whole) return parse_integer("", text);
+  const bool single = use.form != Form::range && text.find_first_of(",:") == std::string::npos;
+  return single ? nlohmann::ordered_json(parse_number("", text)) : nlohmann::ordered_json(text);
+}
+
+/// A body of a file by what tells it from others.
+nlohmann::ordered_json without_modes(const std::string& name, const std::string& text) {
+  std::uint64_t digest = 14695981039346656037U;  // Fowler, Noll and Vo
+  for (const char c : text) digest = (digest ^ static_cast<unsigned char>(c)) * 1099511628211U;
+  return {{"name", name}, {"digest", fmt::format("{:016x}", digest)}};
 }
 
 UnitSystem system_of(const Units& units) { return units.si ? units.in_si : units.own; }
@@ -70,6 +97,29 @@ Ends ends_of(Question question, std::string_view name, const std::string& text, 
   const double low = parse_number(name, parts[0]), high = parse_number(name, parts[1]);
   if (!(low < high)) throw InvalidInput::out_of_range(std::string(name), got, "a lower end below the higher one");
   return {{low, high}, {own_value(question, name, low, units), own_value(question, name, high, units)}};
+}
+
+Provenance provenance(const CLI::App& command, const Encounter& encounter) {
+  Provenance made{command.get_name(), command_line(), nlohmann::ordered_json::parse(to_json(encounter))};
+  auto& all = made.inputs;
+  all.erase("format");
+  for (const auto& [name, of] : {std::pair{"first", &encounter.first}, std::pair{"against", &encounter.against}}) {
+    if (of->modal) all[name]["body"] = without_modes(of->modal->name, to_json(*of->modal));
+  }
+  const Units units = units_of(encounter);
+  const auto question = std::find_if(questions().begin(), questions().end(),
+                                     [&](const auto& each) { return each.second == command.get_name(); });
+  if (question == questions().end()) return made;
+  for (const Input& each : inputs()) {
+    const Use* use = each.use(question->first);
+    if (use == nullptr) continue;
+    const auto value = described(*command.get_option("--" + option_of(each.name)), *use);
+    if (value.is_null()) continue;
+    const std::string_view unit =
+        each.dimension == Dimension::none || !units.si ? each.unit : unit_name(each.dimension, units.in_si);
+    all[unit.empty() ? std::string(each.name) : fmt::format("{}[{}]", each.name, unit)] = value;
+  }
+  return made;
 }
 
 }  // namespace stoss::cli

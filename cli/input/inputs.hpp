@@ -47,4 +47,8 @@ struct Ends {
 };
 [[nodiscard]] Ends ends_of(Question question, std::string_view name, const std::string& text, const Units& units);
 
+/// What a result says of its origin: who meets whom as the core's document has it (of a body from a file its name and
+/// a digest in place of its modes), and the inputs of the subcommand's question as typed or by default.
+[[nodiscard]] Provenance provenance(const CLI::App& command, const Encounter& encounter);
+
 }  // namespace stoss::cli

@@ -40,12 +40,4 @@ std::vector<double> parse_series_in(const std::string& name, const std::string& 
   return values;
 }
 
-nlohmann::ordered_json as_typed(const std::string& text) {
-  const std::vector<double> values = parse_series("", text);
-  if (values.size() == 1) return values.front();
-  std::string typed = text;
-  std::erase(typed, ' ');
-  return typed;
-}
-
 }  // namespace stoss::cli

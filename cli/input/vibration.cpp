@@ -47,18 +47,6 @@ Vibration parse_modes(const std::string& option, const std::vector<std::string>&
   return modes;
 }
 
-nlohmann::ordered_json described(const Vibration& modes, bool with_phase) {
-  auto list = nlohmann::ordered_json::array();
-  for (const Oscillation& mode : modes) {
-    list.push_back({{"body", bodies[static_cast<std::size_t>(mode.body)]},
-                    {"order", mode.order},
-                    {"index", mode.index},
-                    {"energy", mode.energy}});
-    if (with_phase) list.back()["phase"] = mode.phase;
-  }
-  return list;
-}
-
 }  // namespace
 
 void add_modes_to(CLI::App& command, std::vector<std::string>& modes) {
@@ -72,10 +60,6 @@ void add_modes_to(CLI::App& command, std::vector<std::string>& modes) {
 
 Vibration vibration_of(const std::vector<std::string>& modes) {
   return parse_modes("mode", {"energy", "phase", "of"}, modes);
-}
-
-void describe(const Vibration& modes, nlohmann::ordered_json& inputs) {
-  if (!modes.empty()) inputs["modes"] = described(modes, true);
 }
 
 Vibration SpectrumArguments::means() const { return parse_modes("spectrum", {"energy", "of"}, modes); }
@@ -109,12 +93,8 @@ Spectrum SpectrumArguments::spectrum(const RefinableContact& contact, const Poll
 }
 
 void SpectrumArguments::describe(nlohmann::ordered_json& inputs) const {
-  if (temperature) {
-    inputs["temperature"] = *temperature;
-    inputs["highest"] = *highest;
-  } else {
-    inputs["spectrum"] = described(means(), false);
-  }
+  if (highest) inputs["highest"] = *highest;
+  if (!modes.empty()) inputs["spectrum"] = modes;
 }
 
 }  // namespace stoss::cli

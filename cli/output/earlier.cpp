@@ -41,7 +41,7 @@ struct Lines {
   }
 };
 
-constexpr std::size_t longest_excerpt = 40;
+constexpr std::size_t longest_excerpt = 200;  // room for a body in SI
 
 /// The beginning of a line that may be anything; a message would end at a NUL.
 std::string excerpt(const std::string& line) { return visible(shortened(line, longest_excerpt)); }
@@ -53,7 +53,7 @@ std::string excerpt(const std::string& line) { return visible(shortened(line, lo
 
 [[noreturn]] void refuse_input(const Lines& lines, const std::string& name, const std::string& now,
                                const std::string& before) {
-  throw InvalidInput::out_of_range(fmt::format("{}", name), fmt::format("{}", shortened(now)),
+  throw InvalidInput::out_of_range(name, shortened(now, longest_excerpt),
                                    fmt::format("{} as in '{}'", before, lines.path), "another job needs another file");
 }
 

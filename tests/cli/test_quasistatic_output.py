@@ -27,7 +27,7 @@ def test_formats_agree(stoss, job, columns):
     head = [line for line in text.splitlines() if line.startswith("#")]
     assert re.fullmatch(r"# stoss \d+\.\d+\.\d+: quasistatic", head[0])
     assert head[1] == f"# command: stoss {job} --law center --format csv --quiet"
-    assert {"# poisson: 0.33", "# law: center"} <= set(head) and ("# cutoff: 60.0" in head) == ("--speed" in job)
+    assert {'# first: {"kind":"disk","poisson":0.33}', "# law: center"} <= set(head) and ("# cutoff: 60.0" in head) == ("--speed" in job)
     table = rows(text)
     assert list(table[0]) == columns
     document = json.loads(stoss.run(job, "--format json --quiet").stdout)

@@ -107,7 +107,7 @@ def test_exact_contact_differs_as_the_theory_says(stoss, law, off):
 def test_formats_agree(stoss, job, columns):
     text = stoss.run(SPHERE, job, "--format csv --quiet").stdout
     head = [line for line in text.splitlines() if line.startswith("#")]
-    assert {"# body: sphere", "# poisson: 0.3", "# law: center"} <= set(head)
+    assert {'# first: {"kind":"sphere","poisson":0.3}', "# law: center"} <= set(head)
     table = rows(text)
     assert list(table[0]) == columns
     document = json.loads(stoss.run(SPHERE, job, "--format json --quiet").stdout)

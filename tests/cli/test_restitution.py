@@ -48,7 +48,7 @@ def test_formats_agree(stoss):
     document = json.loads(stoss.run(arguments, "--format json").stdout)
     assert document["schema"] == "stoss/restitution/2"
     assert document["complete"] is True
-    assert document["inputs"]["poisson"] == 0.33
+    assert document["inputs"]["first"] == {"kind": "disk", "poisson": 0.33}
     assert document["inputs"]["speed"] == "0.05,0.2"
     assert document["inputs"]["tolerance"] == 0.001 and document["inputs"]["absolute"] == 1e-6
     assert document["units"]["contact_time"] == document["units"]["contact_time_error"] == "R/c"

@@ -15,7 +15,7 @@ def test_ledger_says_what_modes_had_before(stoss):
     result = json.loads(stoss.run(job, "--format json").stdout)
     before = {(m["order"], m["index"]): m["before"] for m in result["modes"] if m["before"] > 0}
     assert before == {(2, 0): pytest.approx(0.1 / 1.12, rel=1e-9), (3, 0): pytest.approx(0.02 / 1.12, rel=1e-9)}
-    assert result["inputs"]["modes"][0] == {"body": "first", "order": 2, "index": 0, "energy": 0.1, "phase": 2.0}
+    assert result["inputs"]["vibration"][0] == {"body": "first", "order": 2, "index": 0, "energy": 0.1, "phase": 2.0}
     table = stoss.run(job).stdout
     names = table.split("most energetic modes")[1].splitlines()[1].split()
     assert names == ["n", "l", "omega", "before", "average", "after"]
@@ -42,7 +42,7 @@ def test_another_vibration_is_another_job(stoss, tmp_path):
     whole = path.read_text()
     for other in (job, f"{job} --mode 2,0,energy=0.1", f"{job} {RINGING} --mode 3,0,energy=0.1"):
         result = resume(stoss, path, other)
-        assert result.returncode == 3 and result.stderr.startswith("stoss: error: modes: got")
+        assert result.returncode == 3 and result.stderr.startswith("stoss: error: vibration: got")
     assert path.read_text() == whole
     assert resume(stoss, path, f"{job} --mode 2,0,phase=2.0,energy=1e-1").returncode == 0  # the same numbers
     assert path.read_text() == whole

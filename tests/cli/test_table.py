@@ -202,7 +202,7 @@ def test_document(document):
 def test_header_says_where_it_comes_from(stoss, headers):
     text = (headers / "stoss.h").read_text()
     version = stoss.run("--version").stdout.split()[1]
-    for line in [f"stoss {version}: table", f"command: stoss {DISK} -o ", "body: disk", "poisson: 0.33", "error: 0.001"]:
+    for line in [f"stoss {version}: table", f"command: stoss {DISK} -o ", 'first: {"kind":"disk","poisson":0.33}', "error: 0.001"]:
         assert f"\n * {line}" in text
     assert "in c; its sign" in text and "in m/s; its sign" in stoss.run(SMALL_BALL).stdout
 

@@ -39,7 +39,7 @@ def test_the_second_may_be_rigid_as_in_a_document(stoss):
     words = "restitution --body sphere --poisson 0.3 --speed 0.01 --format json --against"
     one = json.loads(stoss.run(words, "sphere,radius=2,rigid=1").stdout)
     other = json.loads(stoss.run(words, "sphere,radius=2").stdout)
-    assert one["inputs"]["against_rigid"] is True and "against_rigid" not in other["inputs"]
+    assert one["inputs"]["against"]["rigid"] is True and "rigid" not in other["inputs"]["against"]
     assert one["records"][0]["restitution"] != other["records"][0]["restitution"]
     assert stoss.run(words, "sphere,radius=2,rigid=0").returncode == 0
     for wrong, said in (("sphere,rigid=2", "against rigid: got 2, allowed 0 or 1"), ("half-space,rigid=1", "against: got 'rigid'"),

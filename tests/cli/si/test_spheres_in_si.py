@@ -81,7 +81,7 @@ def test_record_says_where_yielding_begins(stoss, against, strengths, expected):
     assert first["yield_speed_si"] == pytest.approx(expected, rel=1e-12)
     assert first["yield_speed"] == pytest.approx(expected / C, rel=1e-12)
     assert (first["beyond_yield"], second["beyond_yield"]) == (False, True)
-    assert document["inputs"]["material_yield[Pa]"] == 1e9
+    assert document["inputs"]["first"]["material"]["yield_strength"] == 1e9
     assert document["units"]["yield_speed_si"] == "m/s"
     (line,) = result.stderr.splitlines()
     asked = f"you asked for {faster:.4g} m/s, 1.01 times that"
@@ -108,11 +108,10 @@ def test_hard_steel_yields_where_johnson_says(stoss):
 def test_inputs_describe_both(stoss):
     words = f"impact {STEEL} --yield 1e9 --speed 1 --cutoff 25 --against {GLASS},yield=4e8 --format json --quiet"
     inputs = json.loads(stoss.run(words).stdout)["inputs"]
-    assert (inputs["body"], inputs["against"], inputs["poisson"]) == ("sphere", "sphere", 0.3)
-    assert (inputs["radius[m]"], inputs["against_radius[m]"]) == (RADIUS, 0.02)
-    assert (inputs["material_yield[Pa]"], inputs["against_material_yield[Pa]"]) == (1e9, 4e8)
-    assert (inputs["against_poisson"], inputs["against_material_young[Pa]"]) == (0.22, 7e10)
-    assert inputs["c[m/s]"] == pytest.approx(C) and "plane" not in inputs
+    steel = {"young": YOUNG, "poisson": POISSON, "density": DENSITY, "yield_strength": 1e9}
+    glass = {"young": 7e10, "poisson": 0.22, "density": 2500, "yield_strength": 4e8}
+    assert inputs["first"] == {"kind": "sphere", "radius": RADIUS, "material": steel}
+    assert inputs["against"] == {"kind": "sphere", "radius": 0.02, "material": glass}
 
 
 @pytest.mark.parametrize(

@@ -124,11 +124,17 @@ function call(side: Side): string {
   return `stoss.${name}(${all.join(', ')})`;
 }
 
+/** A body as its document has it, one of a file by its name. */
+function said(of: unknown): string {
+  if (typeof of === 'string') return of;
+  return JSON.stringify(of, (key, value: unknown) => (key === 'body' ? { name: (value as { name: string }).name } : value));
+}
+
 /** A curve as CSV, as `stoss restitution --format csv` writes it, of the columns that the page knows: comments that say
  *  what it is, one line of columns, one row for each speed, slowest first. */
 export function curveCsv(encounter: Encounter, points: readonly CurvePoint[]): string {
   const sorted = [...points].sort((a, b) => a.speed - b.speed);
-  const { kind, si } = meetingOf(encounter);
+  const { si } = meetingOf(encounter);
   const { speed: c, first: { poisson } } = unitsOf(encounter);
   const columns: [string, (point: CurvePoint) => string][] = [
     ['speed[c]', ({ speed }) => shortest(speed / c)],
@@ -141,7 +147,8 @@ export function curveCsv(encounter: Encounter, points: readonly CurvePoint[]): s
   return [
     `# stoss ${version}: restitution`,
     `# command: ${commandLine(argumentsOf(encounter, sorted.map(({ speed }) => speed)))} --format csv`,
-    `# body: ${kind}`,
+    `# first: ${said(encounter.first)}`,
+    `# against: ${said(encounter.against)}`,
     `# tolerance: ${shortest(usualTolerance)}`,
     columns.map(([name]) => name).join(','),
     ...sorted.map((point) => columns.map(([, text]) => text(point)).join(',')),
