@@ -68,7 +68,7 @@ describe('the CSV of a curve', () => {
     expect(curveCsv(cases[0]!.encounter, points)).toBe([
       `# stoss ${version}: restitution`,
       '# command: stoss restitution --body disk --poisson 0.33 --speed 0.01,0.1 --format csv',
-      '# first: {"kind":"disk","poisson":0.33}', '# against: wall', '# tolerance: 0.001',
+      '# first: {"kind":"disk","poisson":0.33,"loss_time":0}', '# against: wall', '# tolerance: 0.001',
       'poisson,speed[c],restitution,restitution_error,converged',
       '0.33,0.01,0.98,unknown,false', '0.33,0.1,0.94706,3.1e-5,true', '',
     ].join('\n'));
