@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "input/words.hpp"
+#include "input/inputs.hpp"
 #include "output/help.hpp"
 #include "process/system.hpp"
 #include "process/text.hpp"

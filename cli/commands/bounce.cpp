@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "app.hpp"
-#include "input/approach.hpp"
 #include "input/encounter.hpp"
+#include "input/inputs.hpp"
 #include "output/output_options.hpp"
 #include "output/progress.hpp"
 #include "process/process.hpp"

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "app.hpp"
-#include "input/approach.hpp"
 #include "input/encounter.hpp"
+#include "input/inputs.hpp"
 #include "output/progress.hpp"
 #include "output/row_run.hpp"
 #include "process/process.hpp"

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "app.hpp"
-#include "input/approach.hpp"
 #include "input/encounter.hpp"
+#include "input/inputs.hpp"
 #include "process/process.hpp"
 #include "process/text.hpp"
 #include "stoss/encounter/document.hpp"

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "app.hpp"
-#include "input/approach.hpp"
 #include "input/encounter.hpp"
+#include "input/inputs.hpp"
 #include "output/output_options.hpp"
 #include "output/progress.hpp"
 #include "process/process.hpp"

@@ -4,17 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app.hpp"
-#include "commands/oblique_values.hpp"
-#include "input/approach.hpp"
 #include "input/encounter.hpp"
+#include "input/inputs.hpp"
 #include "output/row_run.hpp"
 #include "process/process.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/encounter/visible.hpp"
 #include "stoss/errors.hpp"
+#include "stoss/impact/quantities.hpp"
+#include "stoss/restitution/quantities.hpp"
 
 namespace stoss::cli {
 namespace {
@@ -97,6 +99,60 @@ Collisions make_collisions(const ObliqueArguments& arguments) {
     }
   }
   return made;
+}
+
+/// The columns behind the motion before. A table of spinning bodies has no room for both errors.
+Fields<ObliqueRestitution> oblique_fields(const Units& units, bool spinning) {
+  return Fields<ObliqueRestitution>(
+      oblique_quantities(), units,
+      {{"restitution", {.width = spinning ? 13 : 22, .with_error = !spinning}},
+       {"tangential_restitution", {.width = 25, .with_error = true, .mark = {{"converged", false}}}},
+       {"cutoff", {.in_si = false}}});
+}
+
+/// What JSON has in addition.
+nlohmann::ordered_json oblique_details(const ObliqueRestitution& result) {
+  nlohmann::ordered_json object{{"runs", to_json(oblique_run_quantities(), result.runs)}};
+  if (!result.runs.empty()) {
+    object["ledger"] = to_json(oblique_ledger_quantities(), std::vector{result.finest.energy}).front();
+  }
+  if (!result.converged) object["reason"] = result.reason;
+  return object;
+}
+
+/// What is said at the end of the coupling that spheres are computed without.
+class NeglectedNote {
+ public:
+  /// Takes note of a row, also of an earlier run.
+  void take(const Columns& columns, const Row& row);
+
+  /// Warns below a table, which has no column for it, if it may change a tangential restitution by more than was asked
+  /// for, or by an unknown amount.
+  void say(const OutputOptions& output, double tolerance) const;
+
+ private:
+  double tangential_ = 0.0, normal_ = 0.0;  // largest changes
+  bool unknown_ = false;
+};
+
+void NeglectedNote::take(const Columns& columns, const Row& row) {
+  const double tangential = number(*find(columns, row, "coupling_tangential_restitution"));
+  const double normal = number(*find(columns, row, "coupling_restitution"));
+  unknown_ = unknown_ || std::isnan(tangential);
+  tangential_ = std::fmax(tangential_, std::abs(tangential));
+  normal_ = std::fmax(normal_, std::abs(normal));
+}
+
+void NeglectedNote::say(const OutputOptions& output, double tolerance) const {
+  if (output.chosen_format() != Format::table) return;
+  if (unknown_) {
+    output.warn(
+        "how much neglected coupling may change tangential_restitution is unknown (friction so high is ill-posed)");
+  } else if (tangential_ > tolerance) {
+    output.warn(
+        fmt::format("neglected coupling may change tangential_restitution by up to {:.2g}, restitution by up to {:.2g}",
+                    tangential_, normal_));
+  }
 }
 
 RowPlan plan_of(const Collisions& collisions, const Columns& results, NeglectedNote& note) {

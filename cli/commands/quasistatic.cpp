@@ -11,6 +11,7 @@
 #include "output/output_options.hpp"
 #include "output/progress.hpp"
 #include "process/process.hpp"
+#include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/restitution.hpp"
@@ -86,14 +87,23 @@ void write_rows(const OutputOptions& output, Writer& writer, std::size_t count,
   });
 }
 
+/// As typed, in units of the body, of an input whose range ends where a law does.
+std::vector<double> series_within(Input input, double high, const std::string& text, const Units& units) {
+  const std::string range = fmt::format("{:g} to {:.6g}", input.low, high);
+  input.high = high, input.range = range, input.low_included = input.high_included = true;
+  std::vector<double> values = parse_series(input.name, text);
+  for (double& each : values) each = in_own_units(input, each, units.si, units.si ? units.in_si : units.own);
+  return values;
+}
+
 template <typename Of>
 void impacts(const QuasistaticArguments& arguments, const Of& of, const Encounter& encounter, Provenance provenance) {
   const Yielding yielding = cli::yielding(encounter);
   const Units& units = yielding.units;
   const OutputOptions& output = arguments.output;
-  const Allowed allowed{of.slowest, limit_speed(of.law, of.poisson),
-                        fmt::format("of the centre of mass, {} to where the static law ends", of.slowest_text)};
-  const std::vector<double> speeds = parse_series_in("speed", arguments.speeds, Dimension::speed, units, allowed);
+  const std::vector<double> speeds = series_within(
+      {.name = "speed", .dimension = Dimension::speed, .low = of.slowest, .help = "Of the centre of mass"},
+      limit_speed(of.law, of.poisson), arguments.speeds, units);
   provenance.inputs["cutoff"] = arguments.cutoff;
   const auto fields = estimate_fields(of.quantities(), units);
   Columns columns{{"poisson"}};
@@ -134,10 +144,9 @@ void compressions(const QuasistaticArguments& arguments, const Of& of, const Yie
   }
   const OutputOptions& output = arguments.output;
   constexpr double least = 1e-12, greatest = 0.5;  // of a static contact, R
-  const Allowed allowed{least, std::min(compression(of.law, of.poisson, of.last_force), greatest),
-                        "R + x0; beyond them a law or a contact ends"};
-  const std::vector<double> values =
-      parse_series_in("compression", arguments.compressions, Dimension::length, yielding.units, allowed);
+  const std::vector<double> values = series_within(
+      {.name = "compression", .dimension = Dimension::length, .low = least, .help = "Beyond, a law or a contact ends"},
+      std::min(compression(of.law, of.poisson, of.last_force), greatest), arguments.compressions, yielding.units);
   catch_interrupts();
   const auto fields = compressed_fields<Of>(yielding.units);
   Columns columns{{"poisson"}};

@@ -13,7 +13,6 @@ namespace stoss::cli {
 /// A disk, which touches the wall along a line.
 struct LineContact {
   static constexpr const char* size = "half_width";
-  static constexpr const char* slowest_text = "1e-100 c";
   static constexpr double slowest = quasistatic::min_slow_speed;
   static constexpr int width = 12;  // of the half-width
 
@@ -32,7 +31,6 @@ struct LineContact {
 /// A sphere, which touches it at a point; its half-width is the radius of the contact.
 struct PointContact {
   static constexpr const char* size = "contact_radius";
-  static constexpr const char* slowest_text = "1e-12 c";
   static constexpr double slowest = quasistatic::min_point_speed;
   static constexpr int width = 16;
 

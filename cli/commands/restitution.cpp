@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app.hpp"
-#include "input/approach.hpp"
 #include "input/encounter.hpp"
+#include "input/inputs.hpp"
 #include "output/fields.hpp"
 #include "output/row_run.hpp"
 #include "process/process.hpp"

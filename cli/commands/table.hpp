@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "input/approach.hpp"
 #include "input/encounter.hpp"
+#include "input/inputs.hpp"
 #include "output/output_options.hpp"
 #include "stoss/table/c_source.hpp"
 

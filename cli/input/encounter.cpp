@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "app.hpp"
-#include "input/words.hpp"
+#include "input/inputs.hpp"
 #include "process/text.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"

@@ -91,17 +91,6 @@ void refuse_soft(const Encounter& encounter, const std::string& hint = {});
 
 [[nodiscard]] inline bool is_soft(const Encounter& encounter) { return encounter.against.kind == "exponential"; }
 
-/// The range of a number, in units of the first body, and what a refusal says of it.
-struct Allowed {
-  double least, greatest;
-  std::string hint;
-};
-
-/// A series of lengths or speeds as typed, in units of the first body or, with a material, in SI; the result is in
-/// units of the body. @throws InvalidInput unless all are in the range
-[[nodiscard]] std::vector<double> parse_series_in(const std::string& name, const std::string& text, Dimension dimension,
-                                                  const Units& units, const Allowed& allowed);
-
 /// --mode, as often as there are modes: how the bodies vibrate before the impact.
 void add_modes_to(CLI::App& command, std::vector<std::string>& modes);
 

@@ -1,6 +1,7 @@
 #include "input/inputs.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -13,6 +14,7 @@
 #include "stoss/encounter/series.hpp"
 #include "stoss/encounter/visible.hpp"
 #include "stoss/errors.hpp"
+#include "stoss/prediction/prediction.hpp"
 
 namespace stoss::cli {
 namespace {
@@ -120,6 +122,75 @@ Provenance provenance(const CLI::App& command, const Encounter& encounter) {
     all[unit.empty() ? std::string(each.name) : fmt::format("{}[{}]", each.name, unit)] = value;
   }
   return made;
+}
+
+void ApproachOptions::add_to(CLI::App& command, Question of, const std::string& group) {
+  question = of;
+  CLI::Option* of_speed = add_input(command, of, "speed", speed, group);
+  add_input(command, of, "height", height, group)->excludes(of_speed);
+}
+
+void ApproachOptions::require_given(const Units& units) const {
+  if (speed.empty() && height.empty()) throw CLI::RequiredError("--speed or --height");
+  if (!height.empty() && !units.si) {
+    throw InvalidInput::conflict("height", "needs a body with a material", "or give --speed in c of the body");
+  }
+}
+
+std::vector<double> ApproachOptions::series(const Units& units) const {
+  require_given(units);
+  if (height.empty()) return series_of(question, "speed", speed, units);
+  std::vector<double> speeds = series_of(question, "height", height, units);
+  for (double& each : speeds) {
+    each = in_own_units(input(question, "speed"), speed_of_drop(each), units.si, units.in_si);
+  }
+  return speeds;
+}
+
+double ApproachOptions::one(const Units& units, const std::string& note) const {
+  const std::vector<double> speeds = series(units);
+  if (speeds.size() == 1) return speeds.front();
+  throw InvalidInput::out_of_range(height.empty() ? "speed" : "height", fmt::format("{} numbers", speeds.size()), "one",
+                                   note);
+}
+
+Ends ApproachOptions::ends(const Units& units) const {
+  require_given(units);
+  if (height.empty()) return ends_of(question, "speed", speed, units);
+  const Ends heights = ends_of(question, "height", height, units);
+  const auto own = [&](double of) { return in_own_units(input(question, "speed"), of, units.si, units.in_si); };
+  const double slowest = speed_of_drop(heights.typed.first), fastest = speed_of_drop(heights.typed.second);
+  return {{slowest, fastest}, {own(slowest), own(fastest)}};
+}
+
+void refuse_word(const std::string& option, const std::string& got, const std::vector<std::string>& allowed,
+                 const std::string& where) {
+  const std::string similar = nearest(got, allowed);
+  const std::string names = allowed.empty() ? "none" : fmt::format("{}", fmt::join(allowed, ", "));
+  throw InvalidInput::out_of_range(
+      fmt::format("{}", option), fmt::format("'{}'", shortened(got)),
+      fmt::format("{}{}{}", names, where, similar.empty() ? "" : fmt::format(", did you mean {}?", similar)));
+}
+
+std::vector<std::pair<std::string, std::string>> parse_keys(const std::string& option,
+                                                            const std::vector<std::string>& parts, std::size_t first,
+                                                            const std::vector<std::string>& keys,
+                                                            const std::string& where) {
+  std::vector<std::pair<std::string, std::string>> found;
+  for (std::size_t i = first; i < parts.size(); ++i) {
+    const auto equals = parts[i].find('=');
+    const std::string key = without_spaces(parts[i].substr(0, equals));
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) refuse_word(option, key, keys, where);
+    if (equals == std::string::npos) {
+      throw InvalidInput::out_of_range(fmt::format("{}", option), fmt::format("'{}' without a value", key),
+                                       fmt::format("{}=NUMBER", key));
+    }
+    if (std::any_of(found.begin(), found.end(), [&](const auto& each) { return each.first == key; })) {
+      throw InvalidInput::out_of_range(fmt::format("{}", option), fmt::format("{} twice", key), "once");
+    }
+    found.emplace_back(key, parts[i].substr(equals + 1));
+  }
+  return found;
 }
 
 }  // namespace stoss::cli

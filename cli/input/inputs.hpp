@@ -51,4 +51,38 @@ struct Ends {
 /// a digest in place of its modes), and the inputs of the subcommand's question as typed or by default.
 [[nodiscard]] Provenance provenance(const CLI::App& command, const Encounter& encounter);
 
+/// How fast bodies meet, as a question takes it: --speed or, of a body with a material, --height of the fall.
+struct ApproachOptions {
+  Question question{};
+  std::string speed, height;
+
+  void add_to(CLI::App& command, Question of, const std::string& group);
+
+  /// Speeds in units of the first body. @throws CLI::RequiredError if there are none, InvalidInput
+  [[nodiscard]] std::vector<double> series(const Units& units) const;
+
+  /// One of them. @param note why only one
+  [[nodiscard]] double one(const Units& units, const std::string& note = {}) const;
+
+  /// The ends of a range.
+  [[nodiscard]] Ends ends(const Units& units) const;
+
+ private:
+  void require_given(const Units& units) const;
+};
+
+/// Refuses a word of an option, with those that it may be and the nearest of them.
+/// @param where text behind the allowed ones
+[[noreturn]] void refuse_word(const std::string& option, const std::string& got,
+                              const std::vector<std::string>& allowed, const std::string& where = {});
+
+/// The parts KEY=VALUE of an option from `first` on, in order, as keys and values.
+/// @param where text behind the allowed keys
+/// @throws InvalidInput for an unknown key, one that comes twice, and one without a value
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> parse_keys(const std::string& option,
+                                                                          const std::vector<std::string>& parts,
+                                                                          std::size_t first,
+                                                                          const std::vector<std::string>& keys,
+                                                                          const std::string& where = {});
+
 }  // namespace stoss::cli

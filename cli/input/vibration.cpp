@@ -7,7 +7,6 @@
 
 #include "app.hpp"
 #include "input/inputs.hpp"
-#include "input/words.hpp"
 #include "process/text.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"
