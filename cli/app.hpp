@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,7 +52,7 @@ Arguments& add_subcommand(CLI::App& app, const std::string& name, const std::str
 }
 
 /// An option that takes a text, a number, or a list of texts, for each of which it is given once. A number that cannot
-/// be read is refused under the option's name.
+/// be read is refused under the name of the input, as in flight_time.
 /// @param name  with its dashes, as in "--speed"
 /// @param type  what help shows in place of the value
 /// @param group of the help
@@ -62,12 +63,14 @@ CLI::Option* add(CLI::App& command, const std::string& name, Value& value, const
   if constexpr (std::is_same_v<Value, std::string> || std::is_same_v<Value, std::vector<std::string>>) {
     option = command.add_option(name, value, help)->allow_extra_args(false);
   } else {
-    const auto read = [name, &value](const std::string& text) {
+    std::string input = name.substr(2);
+    std::replace(input.begin(), input.end(), '-', '_');
+    const auto read = [input, &value](const std::string& text) {
       constexpr bool whole = std::is_same_v<Value, int> || std::is_same_v<Value, std::optional<int>>;
       if constexpr (whole) {
-        value = parse_integer(name.substr(2), text);
+        value = parse_integer(input, text);
       } else {
-        value = parse_number(name.substr(2), text);
+        value = parse_number(input, text);
       }
     };
     option = command.add_option_function<std::string>(name, read, help);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include "app.hpp"
@@ -88,10 +89,11 @@ void write_rows(const OutputOptions& output, Writer& writer, std::size_t count,
 }
 
 /// As typed, in units of the body, of an input whose range ends where a law does.
-std::vector<double> series_within(Input input, double high, const std::string& text, const Units& units) {
-  const std::string range = fmt::format("{:g} to {:.6g}", input.low, high);
-  input.high = high, input.range = range, input.low_included = input.high_included = true;
-  std::vector<double> values = parse_series(input.name, text);
+std::vector<double> series_within(std::string_view name, Dimension dimension, double low, double high,
+                                  std::string_view help, const std::string& text, const Units& units) {
+  const std::string range = fmt::format("{:g} to {:.6g}", low, std::floor(high * 1e6) / 1e6);
+  const Input input{name, dimension, {}, low, high, true, true, range, help, {}};
+  std::vector<double> values = parse_series(name, text);
   for (double& each : values) each = in_own_units(input, each, units.si, units.si ? units.in_si : units.own);
   return values;
 }
@@ -101,9 +103,9 @@ void impacts(const QuasistaticArguments& arguments, const Of& of, const Encounte
   const Yielding yielding = cli::yielding(encounter);
   const Units& units = yielding.units;
   const OutputOptions& output = arguments.output;
-  const std::vector<double> speeds = series_within(
-      {.name = "speed", .dimension = Dimension::speed, .low = of.slowest, .help = "Of the centre of mass"},
-      limit_speed(of.law, of.poisson), arguments.speeds, units);
+  const std::vector<double> speeds =
+      series_within("speed", Dimension::speed, of.slowest, limit_speed(of.law, of.poisson), "Of the centre of mass",
+                    arguments.speeds, units);
   provenance.inputs["cutoff"] = arguments.cutoff;
   const auto fields = estimate_fields(of.quantities(), units);
   Columns columns{{"poisson"}};
@@ -145,8 +147,8 @@ void compressions(const QuasistaticArguments& arguments, const Of& of, const Yie
   const OutputOptions& output = arguments.output;
   constexpr double least = 1e-12, greatest = 0.5;  // of a static contact, R
   const std::vector<double> values = series_within(
-      {.name = "compression", .dimension = Dimension::length, .low = least, .help = "Beyond, a law or a contact ends"},
-      std::min(compression(of.law, of.poisson, of.last_force), greatest), arguments.compressions, yielding.units);
+      "compression", Dimension::length, least, std::min(compression(of.law, of.poisson, of.last_force), greatest),
+      "Beyond, a law or a contact ends", arguments.compressions, yielding.units);
   catch_interrupts();
   const auto fields = compressed_fields<Of>(yielding.units);
   Columns columns{{"poisson"}};

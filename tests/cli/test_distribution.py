@@ -157,9 +157,6 @@ def test_another_ensemble_is_another_job(stoss, tmp_path):
     [
         ("", "temperature: got neither --temperature and --spectrum"),
         ("--temperature 1 --spectrum 2,0,energy=1", "temperature: got both"),
-        ("--temperature -1", "temperature: got -1, allowed 0 to 1e6"),
-        ("--temperature nan", "temperature: got 'nan'"),
-        ("--temperature inf", "temperature: got 'inf'"),
         ("--temperature 1 --highest 0.5", "highest: got 0.5, allowed from 1.64"),
         ("--temperature 1 --highest 1e4", "highest: got 10000, allowed above 0 to 128"),
         ("--spectrum 2,0,energy=1 --highest 10", "highest: got --highest with --spectrum"),
@@ -170,10 +167,6 @@ def test_another_ensemble_is_another_job(stoss, tmp_path):
         ("--spectrum 2,0,energy=1,of=second", "mode of body 1, allowed 0 (a wall has no modes)"),
         ("--against half-space --spectrum 0,0,energy=1,of=second", "bodies that are there as a whole"),
         ("--against exponential --temperature 1", "against: got exponential"),
-        ("--temperature 1 --samples 0", "samples: got 0, allowed 1 to 1000000"),
-        ("--temperature 1 --samples 1e7", "samples: got 10000000"),
-        ("--temperature 1 --seed -1", "seed: got -1, allowed 0 to 2147483647"),
-        ("--temperature 1 --error 0", "error: got 0, allowed 1e-9 to 0.5"),
         ("--temperature 1 --threads -1", "threads: got -1"),
     ],
 )
