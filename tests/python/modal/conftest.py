@@ -16,7 +16,7 @@ NEEDED = ("dolfinx", "slepc4py", "gmsh", "mpi4py")
 SPHERE = 'SetFactory("OpenCASCADE");\nSphere(1) = {0, 0, 0, 1};\n'
 BALL = "--point 0.6,0,0.8 --normal 0.6,0,0.8"
 UNITS = "--young 1 --density 1"
-SMALL = f"sphere.geo {BALL} {UNITS} --body disk --poisson 0.3 --size 0.4 --size-at-point 0.055 --modes 13"
+SMALL = f"sphere.geo {BALL} {UNITS} --poisson 0.3 --size 0.4 --size-at-point 0.055 --modes 13"
 ENVIRONMENT = {
     **os.environ,
     "PYTHONPATH": os.pathsep.join(

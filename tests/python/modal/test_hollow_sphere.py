@@ -101,7 +101,7 @@ def check(body, closed, inner, poisson, most=0.15):
 
 def run(modal, inner, poisson, sizes):
     (modal.folder / "hollow.geo").write_text(shape(inner))
-    words = f"hollow.geo {BALL} {UNITS} --body disk --poisson {poisson} {sizes}"
+    words = f"hollow.geo {BALL} {UNITS} --poisson {poisson} {sizes}"
     return modal.body(words, name=f"hollow_{inner}_{poisson}.json")
 
 
@@ -142,7 +142,7 @@ def test_the_file_of_a_mesh():
 def test_one_tetrahedron_through_the_wall_is_refused(modal):
     """It said that a breathing mode was off by at most 3 Hz, which was off by 17."""
     (modal.folder / "thin.geo").write_text(shape(0.8))
-    words = f"thin.geo {BALL} {UNITS} --body disk --poisson 0.3 --size 0.25 --size-at-point 0.04 --modes 5"
+    words = f"thin.geo {BALL} {UNITS} --poisson 0.3 --size 0.25 --size-at-point 0.04 --modes 5"
     done = modal.run(f"{words} -o thin.json")
     assert done.returncode == 2 and "Traceback" not in done.stderr
     assert "of the volume is only one tetrahedron thick, allowed 50 %" in done.stderr

@@ -40,7 +40,7 @@ def struck(modal):
     """The beam struck in its middle, at a node of the first mode, and near its end."""
     (modal.folder / "beam.geo").write_text(BEAM)
     sizes = "--size 0.5 --size-at-point 0.15 --modes 10"  # two tetrahedra thick
-    words = f"beam.geo --normal 0,0,1 {UNITS} --body disk --poisson {POISSON} {sizes}"
+    words = f"beam.geo --normal 0,0,1 {UNITS} --poisson {POISSON} {sizes}"
     return {
         x: modal.body(f"{words} --point {x},0,{HEIGHT / 2}", name=f"beam_{x}.json")
         for x in (0.0, 5.52, 9.3)
@@ -65,7 +65,7 @@ def test_frequencies(struck):
 def test_frequencies_on_a_finer_mesh(modal, struck):
     place = f"--point 9.3,0,{HEIGHT / 2} --normal 0,0,1"
     sizes = "--size 0.35 --size-at-point 0.15 --modes 12"
-    body = modal.body(f"beam.geo {place} {UNITS} --body disk --poisson {POISSON} {sizes}", name="finer.json")
+    body = modal.body(f"beam.geo {place} {UNITS} --poisson {POISSON} {sizes}", name="finer.json")
     omega, moved = bending(body)
     assert omega[moved > 0.5][:3] == pytest.approx(timoshenko(HEIGHT, 3), rel=2e-3)
 

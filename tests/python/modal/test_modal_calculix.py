@@ -44,7 +44,7 @@ def test_frequencies_of_a_box(modal):
     modal.gmsh(BOX, "box.msh", 0.35)
     (modal.folder / "like_calculix.py").write_text(LIKE_CALCULIX)
     place = "--point 0,0,0.5 --normal 0,0,1"
-    words = f"box.msh {place} {UNITS} --body disk --poisson 0.3 --modes 15 --errors-unknown"
+    words = f"box.msh {place} {UNITS} --poisson 0.3 --modes 15 --errors-unknown"
     exact = frequencies(modal.body(words, name="box.json"))
     alike = frequencies(modal.body(words, name="alike.json", program=("like_calculix.py",)))
     subprocess.run([sys.executable, "-c", CONVERT], cwd=modal.folder, check=True, timeout=60)

@@ -9,7 +9,7 @@ import pytest
 from conftest import BALL, SMALL, SPHERE, UNITS
 
 STEEL = "--material 'structural steel'"
-QUICK = f"{UNITS} --body disk --poisson 0.3 --size 0.6 --size-at-point 0.09 --modes 5"
+QUICK = f"{UNITS} --poisson 0.3 --size 0.6 --size-at-point 0.09 --modes 5"
 MESHES = "fine.msh coarse.msh"
 EDGES_OF_HALF = r"too coarse at the point: edges of (\S+) m, allowed (\S+) m, better a fourth of that"
 BOX_ENDS = r"too coarse at the point: edges of (\S+) m, the surface ends or turns away within (\S+) m"
@@ -39,7 +39,7 @@ def meshes(modal):
         (f"shell.msh {BALL} {STEEL} --errors-unknown", "no tetrahedra"),
         (f"two.msh {BALL} {STEEL} --errors-unknown", "two.msh: the mesh is in 2 parts"),
         (f"fine.msh {BALL} {STEEL}", "give a coarser one"),
-        (f"fine.msh fine.msh {BALL} {UNITS} --body disk --poisson 0.3 --modes 1", "fine.msh: has"),
+        (f"fine.msh fine.msh {BALL} {UNITS} --poisson 0.3 --modes 1", "fine.msh: has"),
         (f"{MESHES} --point 0,0,1.2 --normal 0,0,1 {STEEL}", "0.2 m beside the surface, nearest"),
         (f"{MESHES} --point 0,0,1.02 --normal 0,0,1 {STEEL}", "point: 0.0"),
         (f"{MESHES} --unit mm --point 600,0,800 --normal 6,0,8 {STEEL}", "--unit mm"),
@@ -49,7 +49,7 @@ def meshes(modal):
         (f"dent.msh --point 0,0,0.5 --normal 0,0,1 {STEEL} --errors-unknown", "a hollow"),
         (f"{MESHES} {BALL}", "material: missing"),
         (f"{MESHES} {BALL} --material stone", "allowed"),
-        (f"{MESHES} {BALL} {UNITS} --body disk --poisson 0.5", "poisson"),
+        (f"{MESHES} {BALL} {UNITS} --poisson 0.5", "poisson"),
         (f"sphere.geo {BALL} {STEEL}", "size: missing"),
         (f"sphere.geo {BALL} {STEEL} --size 1 --size-at-point 0.5", EDGES_OF_HALF),
         (f"box.geo --point 0.9,0,1 --normal 0,0,1 {STEEL} --size 1 --size-at-point 0.1", BOX_ENDS),

@@ -65,7 +65,7 @@ def test_mass_and_shape(small_sphere):
 @pytest.mark.parametrize("poisson", [0.0, 0.3, 0.45])
 def test_finer(modal, references, poisson):
     sizes = "--size 0.16 --size-at-point 0.025 --modes 40"
-    words = f"sphere.geo {BALL} {UNITS} --body disk --poisson {poisson} {sizes}"
+    words = f"sphere.geo {BALL} {UNITS} --poisson {poisson} {sizes}"
     body = modal.body(words, name=f"finer_{poisson}.json")
     assert body["compliance"] == pytest.approx(compliance(poisson), abs=0.02)
     assert abs(body["compliance"] - compliance(poisson)) < body["compliance_error"] < 0.04
