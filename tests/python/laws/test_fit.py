@@ -211,7 +211,7 @@ class TestCommand:
             ("--body sphere --poisson 0.3 --law tsuji --speed 0.2:0.1", 3, "allowed a lower end below the higher one"),
             ("--body disk --poisson 0.3 --law tsuji --speed 0.1:0.2", 3, "body: got disk, allowed sphere"),
             ("--body sphere --poisson 0.3 --law table --speed 0.1:0.2 --program yade", 3, "for yade, allowed linear"),
-            ("--body sphere --poisson 0.3 --law tsuji --speed 0.1:0.2 --friction 9", 3, "friction: got 9.0"),
+            ("--body sphere --poisson 0.3 --law tsuji --speed 0.1:0.2 --friction 9", 3, "friction: got 9,"),
             ("--body sphere --poisson 0.3 --law tsuij --speed 0.1:0.2", 2, "tsuij"),
         ],
     )

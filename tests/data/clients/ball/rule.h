@@ -18,19 +18,13 @@
  *
  * Where s = 0 there is no friction. |s afterwards| <= |s| and restitution <= 1: no collision gains energy.
  *
- * stoss 1.0.0: table
+ * stoss 2.0.0: table
  * command: stoss table --body sphere --poisson 0.45 --young 1e6 --density 1000 --radius 0.1 --speed 0.2:1 --tolerance 0.05 --oblique -o rule.h
- * body: sphere
- * poisson: 0.45
- * material_young[Pa]: 1000000.0
- * material_density[kg/m^3]: 1000.0
- * radius[m]: 0.1
- * c[m/s]: 31.622776601683793
- * R/c[s]: 0.0031622776601683794
+ * first: {"kind":"sphere","radius":0.1,"material":{"young":1000000.0,"poisson":0.45,"density":1000.0}}
  * against: wall
  * speed[m/s]: 0.2:1
- * error: 0.001
  * tolerance: 0.05
+ * error: 0.001
  * beyond: clamp
  */
 #ifndef STOSS_RULE_RESTITUTION_TABLE

@@ -8,17 +8,9 @@
  *
  * A cubic in ln v, monotone where the values are, between values computed at 37 speeds.
  *
- * stoss 1.0.0: table
+ * stoss 2.0.0: table
  * command: stoss table --body disk --poisson 0.4 --young 1e6 --density 1000 --radius 0.1 --speed 0.01:10 --format c -o restitution.h
- * body: disk
- * poisson: 0.4
- * material_young[Pa]: 1000000.0
- * material_poisson: 0.4
- * material_density[kg/m^3]: 1000.0
- * radius[m]: 0.1
- * plane: stress
- * c[m/s]: 31.622776601683793
- * R/c[s]: 0.0031622776601683794
+ * first: {"kind":"disk","radius":0.1,"material":{"young":1000000.0,"poisson":0.4,"density":1000.0},"plane":"stress"}
  * against: wall
  * speed[m/s]: 0.01:10
  * error: 0.001

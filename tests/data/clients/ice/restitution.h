@@ -8,16 +8,9 @@
  *
  * A cubic in ln v, monotone where the values are, between values computed at 49 speeds.
  *
- * stoss 1.0.0: table
+ * stoss 2.0.0: table
  * command: stoss table --body sphere --poisson 0.33 --young 9.5e9 --density 917 --radius 1 --against same --loss-time 1e-4 --speed 1e-3:10 --format c -o restitution.h
- * body: sphere
- * poisson: 0.33
- * material_young[Pa]: 9500000000.0
- * material_density[kg/m^3]: 917.0
- * radius[m]: 1.0
- * c[m/s]: 3218.675059476351
- * R/c[s]: 0.00031068684521471724
- * loss_time[s]: 0.0001
+ * first: {"kind":"sphere","loss_time":0.0001,"radius":1.0,"material":{"young":9500000000.0,"poisson":0.33,"density":917.0}}
  * against: same
  * speed[m/s]: 1e-3:10
  * error: 0.001

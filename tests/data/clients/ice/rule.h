@@ -18,19 +18,13 @@
  *
  * Where s = 0 there is no friction. |s afterwards| <= |s| and restitution <= 1: no collision gains energy.
  *
- * stoss 1.0.0: table
+ * stoss 2.0.0: table
  * command: stoss table --body sphere --poisson 0.33 --young 9.5e9 --density 917 --radius 1 --against same --speed 0.1:2 --tolerance 0.05 --oblique -o rule.h
- * body: sphere
- * poisson: 0.33
- * material_young[Pa]: 9500000000.0
- * material_density[kg/m^3]: 917.0
- * radius[m]: 1.0
- * c[m/s]: 3218.675059476351
- * R/c[s]: 0.00031068684521471724
+ * first: {"kind":"sphere","radius":1.0,"material":{"young":9500000000.0,"poisson":0.33,"density":917.0}}
  * against: same
  * speed[m/s]: 0.1:2
- * error: 0.001
  * tolerance: 0.05
+ * error: 0.001
  * beyond: clamp
  */
 #ifndef STOSS_RULE_RESTITUTION_TABLE
