@@ -62,7 +62,7 @@ test-fast: ## only the fast ones of them, of the library and of the command
 test-friends: ## programs of others, and the whole page in a browser, where what they take has changed (GROUP=..., ALL=1)
 	@scripts/test.sh friends $(JOBS) $(if $(ALL),--all) $(GROUP)
 
-test-long: ## before a release: all of it, everything under sanitizers, the documentation site, the validation, coverage
+test-long: ## before a release: all of it, everything under sanitizers, the documentation site, the validation, clang-tidy, coverage
 	@scripts/test.sh long $(JOBS)
 
 coverage: setup ## lines of src/ and cli/ that the fast tests run, by folder
