@@ -161,9 +161,9 @@ Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, 
     const double expected = std::max(1.0, margin * pair_duration(pair, slowest) / shortest_contact);
     const double lasting = lasting_stretch(refinable, slowest, poll);
     const double stretch = lasting > refinable.stretch(slowest) ? std::max(expected, lasting) : expected;
-    const Body& second = *pair.probe.second;
-    const double most = second.near_side(pair.second_size * stretch, least_cutoff, poll).highest_cutoff /
-                        UnitRatios(second, *pair.probe.first).time;
+    const Body& met = *pair.probe.second;
+    const double most = met.near_side(pair.second_size * stretch, least_cutoff, poll).highest_cutoff /
+                        UnitRatios(met, *pair.probe.first).time;
     constexpr std::string_view why = "in c/R of the first body; contacts that last so long meet too many waves above";
     require("cutoff", cutoff, {0.0, most, false, true, "above 0 to " + shown_most(most)}, why);
     try {
@@ -175,8 +175,8 @@ Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, 
   }
   const double most = pair_cutoff(pair);
   if (pair.first_size == 1.0 && pair.second_size == 1.0) {
-    const Body& second = *pair.probe.second;
-    const double of_second = second.highest_cutoff / UnitRatios(second, *pair.probe.first).time;
+    const Body& met = *pair.probe.second;
+    const double of_second = met.highest_cutoff / UnitRatios(met, *pair.probe.first).time;
     constexpr double rounding = 1.0 + 1e-9;
     if (cutoff > rounding * of_second) {
       require("cutoff", cutoff, {0.0, of_second, false, true, "above 0 to " + shown_most(of_second)},
