@@ -85,13 +85,6 @@ std::vector<double> series_of(Question question, std::string_view name, const st
   return values;
 }
 
-double number_of(Question question, std::string_view name, const std::string& text, const Units& units,
-                 const std::string& note) {
-  const std::vector<double> values = series_of(question, name, text, units);
-  if (values.size() == 1) return values.front();
-  throw InvalidInput::out_of_range(std::string(name), fmt::format("{} numbers", values.size()), "one", note);
-}
-
 Ends ends_of(Question question, std::string_view name, const std::string& text, const Units& units) {
   const std::vector<std::string> parts = split(text, ':');
   const std::string got = fmt::format("'{}'", shortened(text));

@@ -37,10 +37,6 @@ CLI::Option* add_input(CLI::App& command, Question question, std::string_view na
 [[nodiscard]] std::vector<double> series_of(Question question, std::string_view name, const std::string& text,
                                             const Units& units);
 
-/// One number of it. @param note why only one
-[[nodiscard]] double number_of(Question question, std::string_view name, const std::string& text, const Units& units,
-                               const std::string& note = {});
-
 /// The ends of a range LOW:HIGH: as typed, and in units of the first body. @throws InvalidInput unless they ascend
 struct Ends {
   std::pair<double, double> typed, own;

@@ -28,26 +28,12 @@ std::vector<Input> rows() {
   constexpr Range angles{-90.0, 90.0, false, false, "above -90 to below 90"};
   constexpr Range above_zero{0.0, no_limit, false, false, "above 0"};
   constexpr auto none = Dimension::none;
+  const std::vector<Use> approach{{impact},       {bounce},          {restitution, series}, {oblique, series},
+                                  {distribution}, {predict, series}, {table, range},        {fit, range}};
   return {
-      row("speed", Dimension::speed, ranges::speed, "Speed of approach, along the normal",
-          {{impact},
-           {bounce},
-           {restitution, series},
-           {oblique, series},
-           {distribution},
-           {predict, series},
-           {table, range},
-           {fit, range}}),
+      row("speed", Dimension::speed, ranges::speed, "Speed of approach, along the normal", approach),
       row("height", none, above_zero, "Height of a fall without air, in place of --speed, of a body with a material",
-          {{impact},
-           {bounce},
-           {restitution, series},
-           {oblique, series},
-           {distribution},
-           {predict, series},
-           {table, range},
-           {fit, range}},
-          "m"),
+          approach, "m"),
       row("tangential", Dimension::speed, ranges::along,
           "Velocity of the centre of the body along the surface, relative to what it meets", {{oblique, series, 0.0}}),
       row("angle", none, angles, "Angle between the velocity of the centre and the normal, in place of --tangential",
@@ -64,8 +50,7 @@ std::vector<Input> rows() {
           {{table}}),
       row("ratio", none, ranges::ratio,
           "Range of the ratio of radii, second body over first: a table of pairs of disks or of spheres, --against "
-          "same "
-          "or a body, whose radius does not count",
+          "same or a body, whose radius does not count",
           {{table, range}}),
       row("tolerance", none, ranges::tolerance, "Relative error of 1-eps^2 to reach", {{restitution, number, 1e-3}}),
       row("tolerance", none, ranges::tolerance, "Relative error of 1-eps^2 without models to reach",
@@ -75,8 +60,8 @@ std::vector<Input> rows() {
           "friction times the speed",
           {{oblique, number, 1e-2}}),
       row("tolerance", none, ranges::rule_tolerance,
-          "With --oblique: maximum error of the sliding after the collision over |v_t| + |spin R| of both bodies + MU "
-          "v",
+          "With --oblique: maximum error of the sliding after the collision over |v_t| + |spin R| of both bodies + "
+          "MU v",
           {{table, number, 2e-2}}),
       row("absolute", none, ranges::absolute,
           "Absolute error of 1-eps^2 at which to stop, whatever --tolerance says; 0: only the tolerance counts",
