@@ -84,6 +84,9 @@ class Target {
   /// @param more what was to be added after the first `size` bytes
   void require_unchanged(std::uintmax_t size, const std::string& more);
 
+  /// Finds whether the file has grown by what was added at its end, and by nothing else.
+  void require_alone(std::uintmax_t added);
+
   std::string path_;            // as the user wrote it
   std::filesystem::path file_;  // behind links
   std::unique_ptr<std::FILE, Close> stream_;

@@ -86,6 +86,23 @@ def test_changed_under_a_run(stoss, tmp_path, way, change):
         assert path.read_text() == now
 
 
+def test_changed_between_two_calls(stoss, tmp_path):
+    """A change at any moment of a run is neither written over nor missed, also not just before a row is written."""
+    for trial in range(25):
+        path = tmp_path / f"{trial}.csv"
+        process = stoss.start(f"{LONG} --format csv -o {path}", stderr=subprocess.PIPE)
+        wait_for_rows(process, path, 1)
+        process.send_signal(signal.SIGSTOP)  # most often as a call of the system ends
+        while " (stoss) T " not in open(f"/proc/{process.pid}/stat").read():
+            time.sleep(0.001)
+        with open(path, "a") as stream:
+            stream.write("precious\n")
+        process.send_signal(signal.SIGCONT)
+        error = process.communicate(timeout=20)[1]
+        assert process.returncode == 4 and "has changed it" in error
+        assert path.read_text().endswith("\nprecious\n")
+
+
 def test_no_kept_file_is_overwritten(stoss, tmp_path):
     path = tmp_path / "x.csv"
     (tmp_path / "x.csv.kept").write_text("precious")

@@ -17,13 +17,12 @@ namespace fs = std::filesystem;
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
-bool put(int descriptor, std::string_view text, off_t place) {
+bool put(int descriptor, std::string_view text) {
   while (!text.empty()) {
-    const ssize_t done = pwrite(descriptor, text.data(), text.size(), place);
+    const ssize_t done = write(descriptor, text.data(), text.size());
     if (done < 0 && errno == EINTR) continue;
     if (done < 0) return false;
     text.remove_prefix(static_cast<std::size_t>(done));
-    place += done;
   }
   return true;
 }
@@ -49,7 +48,7 @@ std::optional<std::string> keep(const std::string& path, const std::string& text
     const int descriptor = open(name.c_str(), O_WRONLY | O_CLOEXEC | O_CREAT | O_EXCL, 0666);
     if (descriptor < 0 && errno == EEXIST) continue;
     if (descriptor < 0) return std::nullopt;
-    const bool written = put(descriptor, text, 0) && fsync(descriptor) == 0;
+    const bool written = put(descriptor, text) && fsync(descriptor) == 0;
     if (close(descriptor) == 0 && written) return name;
     unlink(name.c_str());
     return std::nullopt;
@@ -60,7 +59,7 @@ std::optional<std::string> keep(const std::string& path, const std::string& text
 Beside::Beside(std::string path, const fs::path& file)
     : path_(std::move(path)),
       name_(folder_of(file) / (".stoss-" + std::string(6, 'X'))) {  // short: `file` may be as long as names can
-  const int descriptor = mkstemp(name_.data());
+  const int descriptor = mkostemp(name_.data(), O_APPEND | O_CLOEXEC);
   if (descriptor < 0) cannot_write(path_, errno);
   stream_ = fdopen(descriptor, "r+");
   if (stream_ != nullptr) return;

@@ -14,8 +14,8 @@ namespace stoss::cli {
 
 [[nodiscard]] std::filesystem::path folder_of(const std::filesystem::path& file);
 
-/// Writes the text at this place, without a buffer of which a part could come later.
-[[nodiscard]] bool put(int descriptor, std::string_view text, off_t place);
+/// Writes the text without a buffer of which a part could come later: at the end of a file opened to be appended to.
+[[nodiscard]] bool put(int descriptor, std::string_view text);
 
 /// All that is to be read from the open file.
 [[nodiscard]] std::string content(int descriptor);

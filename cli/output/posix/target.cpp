@@ -85,7 +85,7 @@ bool is_removed(const fs::path& folder) {
   return stat(folder.c_str(), &status) == 0 && status.st_nlink == 0;
 }
 
-constexpr int flags = O_RDWR | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;
+constexpr int flags = O_RDWR | O_APPEND | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;
 constexpr int most_trials = 100;  // to open a file that others make and remove
 
 }  // namespace
@@ -156,8 +156,6 @@ void Target::replace(const std::string& text) {
 
 void Target::require_unchanged(std::uintmax_t size, const std::string& more) {
   const int descriptor = fileno(stream());
-  struct stat status {};
-  if (fstat(descriptor, &status) != 0) cannot_write(path_, errno);
   if (!leads_to(file_, descriptor)) {
     made_ = false;
     std::string why = "another process has removed or replaced it";
@@ -169,11 +167,22 @@ void Target::require_unchanged(std::uintmax_t size, const std::string& more) {
     }
     cannot_write(path_, why);
   }
-  if (const auto now = static_cast<std::uintmax_t>(status.st_size); now != size_) {
-    made_ = false;
-    cannot_write(path_, fmt::format("another process has changed it, from {} to {} bytes (it is left as it is now)",
-                                    size_, now));
+  require_alone(0);
+}
+
+void Target::require_alone(std::uintmax_t added) {
+  struct stat status {};
+  if (fstat(fileno(stream()), &status) != 0) cannot_write(path_, errno);
+  const std::uintmax_t now = static_cast<std::uintmax_t>(status.st_size) - added;
+  if (now == size_) {
+    size_ += added;
+    return;
   }
+  made_ = false;
+  // What is added came behind the other's change, not over it.
+  if (added > 0 && ftruncate(fileno(stream()), static_cast<off_t>(now)) != 0) cannot_write(path_, errno);
+  cannot_write(
+      path_, fmt::format("another process has changed it, from {} to {} bytes (it is left as it is now)", size_, now));
 }
 
 bool Target::is_empty() const {
@@ -185,14 +194,15 @@ void Target::extend(std::uintmax_t size, const std::string& text) {
   require_unchanged(size, text);
   const int descriptor = fileno(stream());
   const auto kept = static_cast<off_t>(size);
-  if (ftruncate(descriptor, kept) != 0) cannot_write(path_, errno);
-  if (!put(descriptor, text, kept)) {
+  if (size < size_ && ftruncate(descriptor, kept) != 0) cannot_write(path_, errno);
+  size_ = size;
+  if (!put(descriptor, text)) {
     const int reason = errno;
     if (ftruncate(descriptor, kept) != 0) cannot_write(path_, errno);
     cannot_write(path_, reason);
   }
-  size_ = size + text.size();
   made_ = false;
+  require_alone(text.size());
 }
 
 void Target::close() {
