@@ -29,8 +29,8 @@ class BuildWithCMake(build_ext):
         cmake("--build", tree, "--target", "stoss_python", "--parallel", jobs)
         package = Path(self.get_ext_fullpath(ext.name)).resolve().parent.parent
         cmake("--install", tree, "--component", "python", "--prefix", str(package))
-        if (package / "stoss/results").is_dir():  # the types of what follows from the core's tables
-            subprocess.run([sys.executable, "-c", "from stoss.results import _quantities; _quantities.write_types()"], cwd=package, check=True)
+        if (package / "stoss/results").is_dir():  # the types of what the module and the core's tables have
+            subprocess.run([sys.executable, str(ROOT / "python/stubs.py"), "."], cwd=package, check=True)
 
     def configure(self) -> str:
         """A tree of its own; with Ninja where that is installed, else with what CMake takes by default (make)."""

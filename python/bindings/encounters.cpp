@@ -1,4 +1,6 @@
 // Who meets whom: kinds, materials, modes, encounters and the contacts that are made of them.
+#include <map>
+
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/encounter/document.hpp"
@@ -37,12 +39,12 @@ py::list all_materials() {
 }
 
 /// Names of the units by dimension, of results of which such a body is the first.
-py::dict units(const std::string& of, bool si) {
-  py::dict names;
+std::map<std::string, std::string> units(const std::string& of, bool si) {
+  std::map<std::string, std::string> names;
   using enum Dimension;
   const UnitSystem system = si ? kind(of).si : kind(of).own;
   for (const Dimension each : {none, length, inverse_length, time, speed, frequency, force, energy}) {
-    names[py::str(std::string(dimension_name(each)))] = unit_name(each, system);
+    names.emplace(dimension_name(each), unit_name(each, system));
   }
   return names;
 }

@@ -30,9 +30,7 @@ def open_file(name: str, path: str | os.PathLike[str]) -> BinaryIO:
     is_open = isinstance(text, str) and text.startswith(("/dev/stdin", "/dev/fd/", "/proc/self/fd/"))
     mode = os.stat(text).st_mode
     if not (is_open or stat.S_ISREG(mode) or stat.S_ISDIR(mode)):  # of a folder opening says it
-        raise InvalidInput.out_of_range(
-            name, f"'{text}', which is no regular file", "a file", "or /dev/stdin"
-        )
+        raise InvalidInput.out_of_range(name, f"'{text}', which is no regular file", "a file", "or /dev/stdin")
     return open(text, "rb")
 
 
@@ -118,9 +116,7 @@ LARGEST = 2e9
 def require_memory(name: str, got: str, size: float, hint: str) -> None:
     """Refuse, before anything is allocated, a result of more than `LARGEST` bytes."""
     if size > LARGEST:
-        raise InvalidInput.out_of_range(
-            name, f"{got}, {size / 1e9:.3g} GB", f"{LARGEST / 1e9:g} GB", hint
-        )
+        raise InvalidInput.out_of_range(name, f"{got}, {size / 1e9:.3g} GB", f"{LARGEST / 1e9:g} GB", hint)
 
 
 def broadcast(values: int = 1, /, **arrays: NDArray[np.float64]) -> list[NDArray[np.float64]]:

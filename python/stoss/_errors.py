@@ -18,9 +18,7 @@ class InvalidInput(ValueError):
         hint (str): What may help, or "".
     """
 
-    def __init__(
-        self, kind: str, name: object, got: object, allowed: object, hint: object = ""
-    ) -> None:
+    def __init__(self, kind: str, name: object, got: object, allowed: object, hint: object = "") -> None:
         self.kind = kind
         self.name, self.got, self.allowed, self.hint = str(name), str(got), str(allowed), str(hint)
         if kind == "out_of_range":
@@ -35,9 +33,7 @@ class InvalidInput(ValueError):
         return InvalidInput, (self.kind, self.name, self.got, self.allowed, self.hint)
 
     @classmethod
-    def out_of_range(
-        cls, name: object, got: object, allowed: object, hint: object = ""
-    ) -> InvalidInput:
+    def out_of_range(cls, name: object, got: object, allowed: object, hint: object = "") -> InvalidInput:
         """name: got …, allowed … (hint)"""
         return cls("out_of_range", name, got, allowed, hint)
 

@@ -47,7 +47,7 @@ class Kind(NamedTuple):
 
 
 KINDS: Mapping[str, Kind] = MappingProxyType(
-    {each[0]: Kind(*each[:-1], tuple(Parameter(*number) for number in each[-1])) for each in _core.kinds()}
+    {each[0]: Kind._make([*each[:-1], tuple(map(Parameter._make, each[-1]))]) for each in _core.kinds()}
 )
 
 

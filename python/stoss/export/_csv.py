@@ -194,9 +194,7 @@ def _number(cell: str) -> float | None:
 
 
 def _foreign(path: str) -> InvalidInput:
-    return InvalidInput.out_of_range(
-        "path", repr(path), "a CSV that stoss has written", "its first line says so"
-    )
+    return InvalidInput.out_of_range("path", repr(path), "a CSV that stoss has written", "its first line says so")
 
 
 def _damaged(path: str, what: str) -> InvalidInput:

@@ -121,16 +121,12 @@ def _material(given: argparse.Namespace) -> None:
     constants = (given.young, given.poisson, given.density)
     if given.material is not None:
         if any(each is not None for each in constants):
-            raise InvalidInput.conflict(
-                "material", "give either a name, or young, poisson and density, not both"
-            )
+            raise InvalidInput.conflict("material", "give either a name, or young, poisson and density, not both")
         from stoss import materials
 
         named = materials[given.material]
         given.young, given.poisson, given.density = named.young, named.poisson, named.density
     elif any(each is None for each in constants):
-        raise InvalidInput.missing(
-            "material", ": --material NAME, or --young, --poisson, --density"
-        )
+        raise InvalidInput.missing("material", ": --material NAME, or --young, --poisson, --density")
     if not -1.0 < given.poisson <= 0.49:
         raise InvalidInput.out_of_range("poisson", given.poisson, "-1 to 0.49", "elements lock")

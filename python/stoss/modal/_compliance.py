@@ -118,9 +118,7 @@ def compliance(
 
 def _too_coarse(surface: Surface, why: str) -> InvalidInput:
     edge = _metres(surface, surface.edge)
-    return InvalidInput.conflict(
-        "mesh", f"too coarse at the point: edges of {edge}, {why}", "--size-at-point"
-    )
+    return InvalidInput.conflict("mesh", f"too coarse at the point: edges of {edge}, {why}", "--size-at-point")
 
 
 def _metres(surface: Surface, length: float) -> str:

@@ -76,9 +76,7 @@ def load(
     return mesh, length * unit
 
 
-def _open(
-    path: str, unit: float, point: Sequence[float], sizes: Sizes | None, thick: bool
-) -> float:
+def _open(path: str, unit: float, point: Sequence[float], sizes: Sizes | None, thick: bool) -> float:
     """Leaves in Gmsh one group of tetrahedra. Returns half the diagonal of the box around them."""
     if not os.path.isfile(path):
         raise InvalidInput.conflict(path, "no such file")
@@ -114,9 +112,7 @@ def _open(
     return 0.5 * float(np.linalg.norm(x.max(axis=0) - x.min(axis=0)))
 
 
-def _refuse_thin(
-    path: str, corners: NDArray[np.int64], tags: NDArray[np.int64], x: NDArray[np.float64]
-) -> None:
+def _refuse_thin(path: str, corners: NDArray[np.int64], tags: NDArray[np.int64], x: NDArray[np.float64]) -> None:
     places = np.empty((tags.max() + 1, 3))
     places[tags] = x
     share = thin_share(corners, places)

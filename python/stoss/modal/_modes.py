@@ -61,9 +61,7 @@ class Spectrum:
                 return found
         raise NotConverged("compliance: the static displacement did not converge")
 
-    def modes(
-        self, count: int, surface: Surface, progress: Callable[[int], None]
-    ) -> dict[str, Vector]:
+    def modes(self, count: int, surface: Surface, progress: Callable[[int], None]) -> dict[str, Vector]:
         """At least `count` elastic modes, up to a gap, in units with E = ρ = 1.
 
         Returns ω, the displacement along the normal at the point, and half its mean curvature; and
@@ -85,9 +83,7 @@ class Spectrum:
         values = values[order]
         rigid = int(np.sum(np.abs(values) < RIGID))
         if rigid != 6:
-            raise InvalidInput.conflict(
-                "mesh", f"{rigid} rigid motions, must be 6: does it hang together?"
-            )
+            raise InvalidInput.conflict("mesh", f"{rigid} rigid motions, must be 6: does it hang together?")
         # The last ones may have others of the same frequency behind them.
         gaps = np.diff(np.sqrt(values[6:]))[count - 1 :]
         end = 6 + count + int(np.argmax(gaps))

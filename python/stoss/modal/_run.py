@@ -67,9 +67,7 @@ def _solve(
     surface = Surface(mesh, length, given.point, given.normal, given.tangent)
     curvature = given.curvature or tuple(k / length for k in surface.curvature)
     if min(curvature) < 0.0:
-        raise InvalidInput.out_of_range(
-            "curvature", f"{min(curvature):.4g} 1/m, a hollow", "0 or more", "--curvature"
-        )
+        raise InvalidInput.out_of_range("curvature", f"{min(curvature):.4g} 1/m, a hollow", "0 or more", "--curvature")
     body = Elasticity(mesh, given.poisson)
     unknowns, tetrahedra = body.mass.getSize()[0], mesh.topology.index_map(3).size_global
     progress.say(f"{kind}mesh: {tetrahedra} tetrahedra, {unknowns} unknowns")
@@ -100,13 +98,9 @@ def _solve(
     if given.up_to:
         count = spectrum.below((2.0 * math.pi * given.up_to * length / speed) ** 2) - 6
         if count < 1:
-            raise InvalidInput.out_of_range(
-                "up-to", f"{given.up_to} Hz", "a higher one", "no elastic mode is below it"
-            )
+            raise InvalidInput.out_of_range("up-to", f"{given.up_to} Hz", "a higher one", "no elastic mode is below it")
     progress.say(f"{kind}mesh: {count} modes", lasting=False)
-    modes = spectrum.modes(
-        count, surface, lambda done: progress.say(f"{kind}mesh: mode {done} of {count}", False)
-    )
+    modes = spectrum.modes(count, surface, lambda done: progress.say(f"{kind}mesh: mode {done} of {count}", False))
     frequency = modes.pop("omega") * speed / length / (2.0 * math.pi)
     known["modes"] = {"frequency": frequency.tolist()}
     for name, moved in modes.items():

@@ -84,9 +84,7 @@ class Surface:
         parts = self.mesh.comm.allgather(flat)
         everywhere = np.concatenate(parts)
         if len(everywhere) < 2 * len(POWERS):
-            raise InvalidInput.conflict(
-                "point", f"only {len(everywhere)} nodes near it, too few for a fit"
-            )
+            raise InvalidInput.conflict("point", f"only {len(everywhere)} nodes near it, too few for a fit")
         x, y = everywhere.T
         powers = np.stack([x**i * y**j for i, j in POWERS], axis=1)
         rows = np.linalg.pinv(powers)
@@ -104,9 +102,7 @@ class Surface:
             raise self._beside(offset, self.point + fitted[0, 0] * self.normal)
         tilt = np.degrees(np.arctan(np.hypot(fitted[1, 0], fitted[0, 1])))
         if tilt > 2.0:
-            raise InvalidInput.conflict(
-                "normal", f"{tilt:.1f} degrees off that of the surface at the point"
-            )
+            raise InvalidInput.conflict("normal", f"{tilt:.1f} degrees off that of the surface at the point")
         second = [[2 * fitted[2, 0], fitted[1, 1]], [fitted[1, 1], 2 * fitted[0, 2]]]
         bends = np.linalg.eigvalsh(-np.array(second))
         bends = np.where(np.abs(bends) * self.edge < 1e-4, 0.0, bends)

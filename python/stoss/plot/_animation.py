@@ -205,9 +205,7 @@ def _draw_frame(axes: Axes, bodies: list[_disk.Instant], scale: _stress.Scale | 
     return edges + [_disk.draw_grid(axes, now.x, now.y, now.field.radius, now.field.angle, width=1.2) for now in bodies]
 
 
-def _write_gif(
-    pictures: Iterator[NDArray[np.uint8]], rate: float, ramps: list[NDArray[np.float64]], path: str
-) -> None:
+def _write_gif(pictures: Iterator[NDArray[np.uint8]], rate: float, ramps: list[NDArray[np.float64]], path: str) -> None:
     # One palette for all: colours keep their meaning from frame to frame, and the file stays small.
     shades = np.concatenate((colormaps["gray"](np.linspace(0.0, 1.0, 32)), *ramps))
     palette = Image.new("P", (1, 1))

@@ -55,9 +55,7 @@ def instant(field: Field, frame: int | None) -> Instant:
     count = int(np.prod(shape))
     if min(field.x.shape[-2:]) < 2:
         points = " x ".join(str(n) for n in field.x.shape[-2:])
-        raise InvalidInput.out_of_range(
-            "field", f"{points} points", "at least 2 radii and 2 angles"
-        )
+        raise InvalidInput.out_of_range("field", f"{points} points", "at least 2 radii and 2 angles")
     if frame is None:
         if count != 1:
             hint = f" (say which, as in frame={count // 2})" if count else ""

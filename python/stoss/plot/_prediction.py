@@ -47,9 +47,7 @@ def prediction(result: Prediction, ax: Axes | None = None) -> Axes:
     order = order[np.isfinite(np.ravel(result.restitution)[order])]
     speed = np.ravel(result.speed)[order]
     if np.unique(speed).size < 2:
-        raise InvalidInput.out_of_range(
-            "result", f"{np.unique(speed).size} speeds with a value", "two or more"
-        )
+        raise InvalidInput.out_of_range("result", f"{np.unique(speed).size} speeds with a value", "two or more")
     shares = {name: np.ravel(getattr(result, field))[order] for name, field in CHANNELS.items()}
     shares = {name: share for name, share in shares.items() if share.max() > LEAST}
     with _style.canvas(ax, size=(_style.COLUMN, 5.2)) as axes:

@@ -31,9 +31,7 @@ def collided(
     velocity, second_velocity, spin, second_spin, normal = motions
     moving = numbers("velocity", velocity)
     if moving.ndim == 0 or moving.shape[-1] not in (2, 3):
-        raise InvalidInput.out_of_range(
-            "velocity", f"an array of shape {moving.shape}", "(..., 2) or (..., 3)"
-        )
+        raise InvalidInput.out_of_range("velocity", f"an array of shape {moving.shape}", "(..., 2) or (..., 3)")
     dimension = moving.shape[-1]
     spins = [numbers(name, each) for name, each in (("spin", spin), ("second_spin", second_spin))]
     if dimension == 2:

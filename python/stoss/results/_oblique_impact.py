@@ -230,15 +230,11 @@ def oblique_impact(
     motion = choose_motion(chosen, **given, kept=1)
     if motion[0].shape:
         name, several = next((each, np.size(value)) for each, value in given.items() if np.shape(value))
-        raise InvalidInput.out_of_range(
-            name, f"{several} of them", "one impact", "use stoss.oblique for several"
-        )
+        raise InvalidInput.out_of_range(name, f"{several} of them", "one impact", "use stoss.oblique for several")
     highest = choose_cutoff(cutoff, chosen, met, float(motion[0]))
     count = None if nodes is None else integer("nodes", nodes)
     resolution = optional_number("step", step), count, optional_number("half_width", half_width)
     with speeds_in_si(chosen), waiting(boolean("progress", progress), "oblique_impact"):
-        result = ObliqueImpact._made(
-            chosen, met, tuple(float(each) for each in motion), highest, resolution, state
-        )
+        result = ObliqueImpact._made(chosen, met, tuple(float(each) for each in motion), highest, resolution, state)
     warn_of_materials(result, 2)
     return result

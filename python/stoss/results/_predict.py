@@ -67,9 +67,7 @@ def predict(
     ball: Any = instance("body", body, BODIES)
     met = _choose_met(ball, against)
     if (speed is None) == (height is None):
-        raise InvalidInput.out_of_range(
-            "speed", "neither" if speed is None else "speed and height", "one of them"
-        )
+        raise InvalidInput.out_of_range("speed", "neither" if speed is None else "speed and height", "one of them")
     speeds = numbers("speed", speed) if height is None else _speeds_of_drops(numbers("height", height))
     work, known = optional_number("adhesion", adhesion), _choose_uncertainties(uncertainties)
     limit, count = number("tolerance", tolerance), integer("threads", threads)

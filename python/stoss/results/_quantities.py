@@ -1,13 +1,12 @@
 """What results hold, by the core's table of quantities: their fields, SI values, and the words for both.
 
-Each class of `CLASSES` is the base of a result. The setup of the package calls `write_types`.
+Each class of `CLASSES` is the base of a result. `stubs.py` writes their types when the package is built.
 """
 
 from __future__ import annotations
 
 import dataclasses
 import re
-from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Mapping, NamedTuple, Union
 
@@ -151,29 +150,3 @@ def _made(name: str, made: Made) -> type:
 
 
 globals().update({name: _made(name, made) for name, made in CLASSES.items()})
-
-
-def types() -> str:
-    """The types of this module."""
-    lines = [
-        "import dataclasses", "from typing import Any, ClassVar, Mapping, NamedTuple, Union", "", "import numpy as np",
-        "from numpy.typing import NDArray", "", "Number = Union[float, NDArray[np.float64]]",
-        "Integer = Union[int, NDArray[np.int64]]", "Flag = Union[bool, NDArray[np.bool_]]",
-        "Name = Union[str, NDArray[np.object_]]", "", "class Quantity(NamedTuple):",
-        "    name: str", "    dimension: str", "    has_error: bool", "    help: str", "    type: str",
-        "    @property", "    def columns(self) -> tuple[str, ...]: ...", "",
-        "TABLES: Mapping[str, tuple[Quantity, ...]]", "QUANTITIES: Mapping[str, Mapping[str, str]]", "",
-        "class Si(property):", "    def __init__(self, said: str) -> None: ...",
-        "    def __set_name__(self, owner: type, name: str) -> None: ...",
-        "    def __get__(self, result: Any, owner: type | None = None, /) -> Number: ...",
-    ]  # fmt: skip
-    for name, made in CLASSES.items():
-        lines += ["", "@dataclasses.dataclass(frozen=True, eq=False, repr=False, kw_only=True)", f"class {name}:"]
-        lines += ["    _kind: ClassVar[str]", *(f"    {field}: {kind}" for field, kind in made.types().items())]
-        lines += [f"    {si}: ClassVar[Si]" for si in made.si_values()]
-    return "\n".join([*lines, ""])
-
-
-def write_types() -> None:
-    """Write the types beside this file."""
-    Path(__file__).with_suffix(".pyi").write_text(types(), encoding="utf-8")

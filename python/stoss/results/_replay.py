@@ -165,9 +165,7 @@ def field(
     inside = self.body if number == 0 else self.against
     assert isinstance(inside, (Disk, Sphere))
     if is_rigid(inside):
-        raise InvalidInput.out_of_range(
-            "body", repr(inside), "an elastic one", "a rigid one has no field"
-        )
+        raise InvalidInput.out_of_range("body", repr(inside), "an elastic one", "a rigid one has no field")
     times = numbers("time", time)
     radii = np.linspace(0.0, 1.0, 41) if radius is None else numbers("radius", radius).ravel()
     angles = _around() if angle is None else numbers("angle", angle).ravel()
@@ -225,9 +223,7 @@ def wave(
         True
     """
     if not isinstance(self.against, UNBOUNDED):
-        raise InvalidInput.out_of_range(
-            "against", repr(self.against), "a stoss.HalfSpace, HalfPlane, Plate or Strip"
-        )
+        raise InvalidInput.out_of_range("against", repr(self.against), "a stoss.HalfSpace, HalfPlane, Plate or Strip")
     chosen = self.contact_time * np.array([0.4, 0.8, 1.2, 1.6]) if time is None else time
     times = numbers("time", chosen)
     if not np.all(np.abs(times) <= 1e4):

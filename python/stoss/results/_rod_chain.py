@@ -159,13 +159,9 @@ def rod_chain(
     if wrong := [each for each in several if not isinstance(each, Rod)]:
         raise refusal("rods", wrong[0] if several is rods else rods, "a list of stoss.Rod")
     if len({each.material is None for each in rods}) > 1:
-        raise InvalidInput.out_of_range(
-            "rods", "some with and some without a material", "all with one or none"
-        )
+        raise InvalidInput.out_of_range("rods", "some with and some without a material", "all with one or none")
     if collisions is None and time is None:
-        raise InvalidInput.out_of_range(
-            "collisions", "none and no `time`", "a number", "when the chain ends"
-        )
+        raise InvalidInput.out_of_range("collisions", "none and no `time`", "a number", "when the chain ends")
     values = [(each.length, each.young, each.density, each.area, each.loss_time) for each in rods]
     if (velocities is None) == (temperature is None):
         got = "none and no `temperature`" if velocities is None else "both velocities and `temperature`"

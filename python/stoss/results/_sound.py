@@ -104,9 +104,7 @@ def sound(
     if self.body.material is None:
         raise refusal("body", self.body, "one with a material: only then are frequencies in Hz")
     if self.keep is not None:
-        raise InvalidInput.out_of_range(
-            "keep", "an impact of a selection of modes", "one with all of them"
-        )
+        raise InvalidInput.out_of_range("keep", "an impact of a selection of modes", "one with all of them")
     length, samples, slow = number("duration", duration), integer("rate", rate), number("slower", slower)
     for name, value, low, high in (("duration", length, 0.0, 600.0), ("rate", samples, 999, 384000),
                                    ("slower", slow, 0.0, 1e9)):  # fmt: skip

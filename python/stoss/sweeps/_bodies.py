@@ -90,9 +90,7 @@ def _read(store: str, digest: str) -> ModalBody:
     except (FileNotFoundError, UnicodeDecodeError):
         text = ""
     if _hash(text) != digest:
-        raise InvalidInput.out_of_range(
-            "store", f"a missing or damaged '{path}'", "the body that the grid names"
-        )
+        raise InvalidInput.out_of_range("store", f"a missing or damaged '{path}'", "the body that the grid names")
     return ModalBody.from_dict(of_json(text))
 
 

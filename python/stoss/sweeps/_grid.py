@@ -195,9 +195,7 @@ class Grid:
         seen: set[str] = set()
         for case in self._cases:
             if case.key in seen:
-                raise InvalidInput.out_of_range(
-                    "grid", f"{case.body!r} against {case.against!r} twice", "once"
-                )
+                raise InvalidInput.out_of_range("grid", f"{case.body!r} against {case.against!r} twice", "once")
             seen.add(case.key)
             # `refinable` refuses ratios out of range.
             self.computation.check(case.body, refinable(case.body, case.against), tuple(self.axes.values()))
@@ -227,9 +225,7 @@ def _require_moderate(bodies: int, partners: int, lengths: Mapping[str, int]) ->
     for got, name, most in ((cases, "cases", MOST_CASES), (values, "values", MOST_VALUES)):
         if got > most:
             of = ", ".join([f"{bodies} bodies, {partners} partners", *(f"{n} {each}s" for each, n in lengths.items())])
-            raise InvalidInput.out_of_range(
-                "grid", f"{got} {name} ({of})", most, "make several grids of it"
-            )
+            raise InvalidInput.out_of_range("grid", f"{got} {name} ({of})", most, "make several grids of it")
 
 
 def _specifications(name: str, several: list[tuple[Any, Choices]]) -> Iterator[Specification]:

@@ -106,18 +106,14 @@ def _version(file: Path, line: bytes, mix: bool) -> str:
     _formats.require_readable("store", str(file), origin[1])
     if origin[1] != _core.version and not mix:
         hint = "another version needs another store"
-        raise InvalidInput.out_of_range(
-            "store", f"'{file}' of stoss {origin[1]}", _core.version, hint
-        )
+        raise InvalidInput.out_of_range("store", f"'{file}' of stoss {origin[1]}", _core.version, hint)
     return origin[1]
 
 
 def _damaged(file: Path, number: int, line: bytes, why: str = "") -> InvalidInput:
     got = "".join(c if c.isprintable() else "?" for c in line[:40].decode("ascii", "replace"))
     hint = f"{why}: delete it, and it is computed again" if why else "mend or delete it"
-    return InvalidInput.out_of_range(
-        "store", f"'{got}' as line {number} of '{file}'", "a row of a sweep", hint
-    )
+    return InvalidInput.out_of_range("store", f"'{got}' as line {number} of '{file}'", "a row of a sweep", hint)
 
 
 def _value(of: np.dtype[Any], cell: str) -> Any:

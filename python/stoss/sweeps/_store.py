@@ -75,9 +75,7 @@ def _require_same(path: Path, short: dict[str, Any]) -> None:
         return
     if names := list(changed(short, there)):
         hint = "its file has changed; another body needs another store"
-        raise InvalidInput.out_of_range(
-            "store", f"'{path}' of other numbers of body '{names[0]}'", "the same", hint
-        )
+        raise InvalidInput.out_of_range("store", f"'{path}' of other numbers of body '{names[0]}'", "the same", hint)
     raise InvalidInput.out_of_range(
         "store", f"'{path}' of another grid", "one of this grid", "another needs another store"
     )
@@ -96,15 +94,11 @@ def _inputs(path: Path) -> dict[str, Any]:
     """Those of the grid, as its file has them. Refuses what would be waited for: a FIFO among the files."""
     for file in (path / GRID, *sorted(path.glob("*.csv"))):
         if file.exists() and not file.is_file():
-            raise InvalidInput.out_of_range(
-                "store", f"'{file}', which is no regular file", "the files of a sweep"
-            )
+            raise InvalidInput.out_of_range("store", f"'{file}', which is no regular file", "the files of a sweep")
     try:
         found = of_json((path / GRID).read_text(encoding="utf-8"))
     except (FileNotFoundError, NotADirectoryError):
-        raise InvalidInput.out_of_range(
-            "store", f"'{path}'", f"the directory of a sweep, with its {GRID}"
-        ) from None
+        raise InvalidInput.out_of_range("store", f"'{path}'", f"the directory of a sweep, with its {GRID}") from None
     except (ValueError, RecursionError) as error:
         raise _damaged(path, error) from None
     if not isinstance(found, dict):
@@ -115,9 +109,7 @@ def _inputs(path: Path) -> dict[str, Any]:
 
 
 def _damaged(path: Path, error: object) -> InvalidInput:
-    return InvalidInput.out_of_range(
-        "store", f"a damaged '{path / GRID}'", "that of a sweep", error
-    )
+    return InvalidInput.out_of_range("store", f"a damaged '{path / GRID}'", "that of a sweep", error)
 
 
 def read(path: Path, grid: Grid, mix: bool = False) -> Found:
@@ -156,9 +148,7 @@ def _put(found: Found, place: tuple[int, ...], new: Stored, file: Path) -> None:
         found.rows[place], found.version[place] = new.row, number
     elif before == number and not _agree(found.rows[place], new.row, found.rows.dtype.names or ()):
         point = ", ".join(map(repr, new.point))
-        raise InvalidInput.out_of_range(
-            "store", f"another value of case {new.key}, at {point} in '{file}'", "one"
-        )
+        raise InvalidInput.out_of_range("store", f"another value of case {new.key}, at {point} in '{file}'", "one")
 
 
 def _agree(one: Any, row: tuple[Any, ...], names: tuple[str, ...]) -> bool:

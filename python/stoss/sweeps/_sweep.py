@@ -82,9 +82,7 @@ def sweep(
         flush(path)
     result = values_of(chosen, path)
     if not result.complete:
-        raise InvalidInput.out_of_range(
-            "store", f"'{path}', which not all workers see", "a directory that they share"
-        )
+        raise InvalidInput.out_of_range("store", f"'{path}', which not all workers see", "a directory that they share")
     doubtful = result.computed.size - np.count_nonzero(result.converged)
     if doubtful:
         text = f"{doubtful} of {result.computed.size} values not as accurate as asked for (see .converged)"

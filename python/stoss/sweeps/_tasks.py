@@ -88,9 +88,7 @@ def fill(
     return sum(_fill(worker, computation, path, piece, threads, tick) for piece in pieces)
 
 
-def _fill(
-    worker: Worker, computation: Computation, path: Path, piece: Piece, threads: int, tick: Tick | None
-) -> int:
+def _fill(worker: Worker, computation: Computation, path: Path, piece: Piece, threads: int, tick: Tick | None) -> int:
     inputs, key, points = piece
     body = make("body", resolved(inputs["body"], path))
     against = choose_against(body, beside(resolved(inputs["against"], path), body), (HardWall,))

@@ -80,9 +80,7 @@ class Sweep(Result):
             mean_error, numerical_error, spread and above_one, as of a `RestitutionDistribution`.
         """
         if "sample" not in self.grid.axes:
-            raise InvalidInput.out_of_range(
-                "summary", "a sweep without samples", "one of ensembles", "temperature"
-            )
+            raise InvalidInput.out_of_range("summary", "a sweep without samples", "one of ensembles", "temperature")
         shape = self.grid.shape[:-1]
         values, errors = self.rows["restitution"].reshape(-1, self.grid.shape[-1]), self.rows["restitution_error"]
         each = [summary_of(*pair) for pair in zip(values, errors.reshape(values.shape))]

@@ -86,9 +86,7 @@ class Worker:
             == f"{self._layout.unchecked}\n"
         ):
             hint = "it can be merged; to go on, use another store"
-            raise InvalidInput.out_of_range(
-                "store", f"'{self.file}' without checksums", "one with them", hint
-            )
+            raise InvalidInput.out_of_range("store", f"'{self.file}' without checksums", "one with them", hint)
 
     def _last_line_end(self, size: int) -> int:
         """Where the last whole line ends."""

@@ -1,12 +1,13 @@
 """The package's types hold: its own sources, and the stubs of the compiled module against what it
 really has."""
 
+import re
+import runpy
 import subprocess
 import sys
 from pathlib import Path
 
 import stoss
-from stoss.results import _quantities
 
 OPAQUE = ("Contact", "Encounter", "Frames", "Impact", "ObliqueImpact", "PairTable",
           "RefinableContact", "RestitutionFunction", "RodChain", "RuleTable", "SlowLaw")  # fmt: skip
@@ -41,13 +42,12 @@ def test_stubs_are_those_of_the_compiled_module(tmp_path):
 
 
 def test_types_are_shipped():
-    assert (Path(stoss.__file__).parent / "py.typed").is_file()
-    assert (Path(stoss.__file__).parent / "_core.pyi").is_file()
-
-
-def test_types_of_quantities_are_those_of_the_tables():
-    made = Path(_quantities.__file__).with_suffix(".pyi")
-    assert made.read_text(encoding="utf-8") == _quantities.types()  # written by the setup of the package
+    package = Path(stoss.__file__).parent
+    assert (package / "py.typed").is_file()
+    stubs = runpy.run_path(str(PYPROJECT.parent / "python/stubs.py"))["stubs"]()
+    for name, text in stubs.items():
+        assert (package / name).read_text(encoding="utf-8") == text  # written by the setup of the package
+    assert re.findall(r"\b(?:stoss\.|numpy\.nd|List\[|Optional\[|object\b)", stubs["_core.pyi"]) == []  # all are translated
 
 
 def test_users_get_types(tmp_path):
