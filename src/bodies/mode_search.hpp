@@ -1,8 +1,8 @@
+#pragma once
+
 // Roots of the eigenvalue equations of a free round body: one pass over a frequency grid that all orders share gives
 // the Bessel functions of every order and, from them, exact root counts; roots are isolated by these counts and
 // polished by a bracketing method.
-#pragma once
-
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -13,7 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "bodies/residual.hpp"
 #include "numeric/bessel.hpp"
+#include "stoss/bodies/round.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/poll.hpp"
 
@@ -181,5 +183,21 @@ std::vector<std::vector<typename Edge::Mode>> modes_by_order(const WaveNumbers& 
   if (!found.back().empty()) throw NotConverged("modes: the highest order that was searched has roots");
   return found;
 }
+
+}  // namespace stoss::bodies
+
+/// Checks of the modes of disks and spheres.
+namespace stoss::bodies {
+
+/// The static sum rule of one order (docs/theory/modes.md): what its modes leave of its flexibility must be positive
+/// semidefinite and no larger than the modes above the cutoff can carry.
+/// @param rounding of the sum of both diagonal elements, relative
+/// @param tail     what these modes can carry
+/// @throws NotConverged if it is violated
+void check_sum_rule(int order, const Flexibility& all, const Flexibility& kept, double rounding, double tail,
+                    double cutoff);
+
+/// Throws InvalidInput for a cutoff below the lowest mode. @param some modes, the lowest among them
+[[noreturn]] void refuse_low_cutoff(const std::vector<Mode>& some, double cutoff, double highest);
 
 }  // namespace stoss::bodies

@@ -1,14 +1,87 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
-#include "bodies/kept_sums.hpp"
 #include "stoss/bodies/round.hpp"
 #include "stoss/body/body.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss::bodies {
+
+/// The kept modes of a round body, added up order by order: what its static response has too much without them. The
+/// two amplitudes of a mode, radial and tangential, make the three entries of a symmetric matrix, a Flexibility.
+class KeptSums {
+ public:
+  /// @param kept modes, sorted by order
+  explicit KeptSums(const std::vector<Mode>& kept) {
+    const auto orders = kept.empty() ? 0 : static_cast<std::size_t>(kept.back().order) + 1;
+    radial_.resize(orders);
+    compliance_.resize(orders);
+    second_moment_.resize(orders);
+    for (const Mode& mode : kept) {
+      const auto n = static_cast<std::size_t>(mode.order);
+      const double compliance = 1.0 / (mode.omega * mode.omega);
+      radial_[n] += mode.radial * mode.radial;
+      add(compliance_[n], mode, compliance);
+      add(second_moment_[n], mode, compliance * compliance);
+    }
+  }
+
+  /// Number of orders up to the last that has a kept mode.
+  [[nodiscard]] int orders() const { return static_cast<int>(compliance_.size()); }
+
+  /// Σ_kept (radial, tangential)(radial, tangential)ᵀ/ω² of an order.
+  [[nodiscard]] const Flexibility& compliance(int order) const { return compliance_[static_cast<std::size_t>(order)]; }
+
+  /// −Σ_kept (radial, tangential)(radial, tangential)ᵀ/ω², for the orders that have kept modes.
+  [[nodiscard]] std::vector<Flexibility> missing_compliance() const {
+    std::vector<Flexibility> missing;
+    for (const Flexibility& kept : compliance_) missing.push_back({-kept.radial, -kept.mixed, -kept.tangential});
+    return missing;
+  }
+
+  /// The same with ω⁴ for ω², taken from the sum over all modes of the orders up to a highest one.
+  /// @param whole that sum of an order
+  template <typename Whole>
+  [[nodiscard]] std::vector<Flexibility> remaining_second_moment(int highest, Whole whole) const {
+    std::vector<Flexibility> remaining;
+    for (int n = 0; n <= highest; ++n) {
+      remaining.push_back(whole(n));
+      if (static_cast<std::size_t>(n) >= second_moment_.size()) continue;
+      const Flexibility& kept = second_moment_[static_cast<std::size_t>(n)];
+      remaining.back().radial -= kept.radial;
+      remaining.back().mixed -= kept.mixed;
+      remaining.back().tangential -= kept.tangential;
+    }
+    return remaining;
+  }
+
+  /// Δt for which Δt² Σ_kept radial² is a share of the radial compliance that is left, in the worst order.
+  /// @param whole flexibility of all modes of an order
+  template <typename Whole>
+  [[nodiscard]] double stable_step(double share, Whole whole) const {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t n = 0; n < compliance_.size(); ++n) {
+      const double residual = whole(static_cast<int>(n)).radial - compliance_[n].radial;
+      if (radial_[n] > 0.0) smallest = std::min(smallest, share * residual / radial_[n]);
+    }
+    return std::sqrt(smallest);
+  }
+
+ private:
+  static void add(Flexibility& sum, const Mode& mode, double weight) {
+    sum.radial += weight * mode.radial * mode.radial;
+    sum.mixed += weight * mode.radial * mode.tangential;
+    sum.tangential += weight * mode.tangential * mode.tangential;
+  }
+
+  std::vector<double> radial_;  // Σ_kept radial², by order
+  std::vector<Flexibility> compliance_, second_moment_;
+};
 
 /// What is summed over the orders for a response between contact points: coefficients of the orders 0, 1, 2, … and,
 /// where `with_static`, the static flexibilities of all orders.

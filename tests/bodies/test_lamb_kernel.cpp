@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "bodies/half_space/lamb_kernel.hpp"
-#include "bodies/half_space/spectrum.hpp"
 
 namespace stoss::bodies::half_space {
 namespace {

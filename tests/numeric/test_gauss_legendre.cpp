@@ -1,5 +1,5 @@
 // gauss_legendre against integrals of powers, and what it does when it is interrupted.
-#include "numeric/gauss_legendre.hpp"
+#include "numeric/quadrature.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "bodies/modal/point_compliance.hpp"
+#include "bodies/modal/point_modes.hpp"
 #include "bodies/sphere/along/toroidal.hpp"
 #include "stoss/bodies/modal_body.hpp"
 #include "stoss/bodies/sphere/modes.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bodies/plate/sheet.hpp"
-#include "numeric/gauss_legendre.hpp"
+#include "numeric/quadrature.hpp"
 
 namespace stoss::test {
 

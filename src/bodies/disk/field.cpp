@@ -12,9 +12,8 @@
 #include <string_view>
 #include <utility>
 
-#include "bodies/disk/harmonics.hpp"
-#include "bodies/disk/mode_field.hpp"
 #include "bodies/disk/order_profiles.hpp"
+#include "bodies/disk/radial_field.hpp"
 #include "bodies/field_arguments.hpp"
 #include "check.hpp"
 #include "numeric/dense.hpp"

@@ -3,10 +3,9 @@
 #include <cmath>
 #include <string>
 
-#include "bodies/disk/mode_field.hpp"
 #include "bodies/disk/mode_search.hpp"
-#include "bodies/disk/static_field.hpp"
-#include "bodies/mode_checks.hpp"
+#include "bodies/disk/radial_field.hpp"
+#include "bodies/mode_search.hpp"
 #include "check.hpp"
 #include "quantity_help.hpp"
 

@@ -7,12 +7,22 @@
 #include <vector>
 
 #include "bodies/disk/edge_points.hpp"
-#include "bodies/disk/harmonics.hpp"
-#include "bodies/disk/mode_field.hpp"
+#include "bodies/disk/radial_field.hpp"
 #include "bodies/kept_profiles.hpp"
 #include "stoss/body/body.hpp"
 
 namespace stoss::bodies::disk {
+
+/// Sums over angular orders are taken so many orders at a time: the tables stay small for any number of orders.
+inline constexpr int order_block = 32;
+
+/// Cosines and sines of nφ for n = first … first + order_block − 1: orders × angles.
+struct Harmonics {
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Matrix cosine, sine;
+};
+
+[[nodiscard]] Harmonics harmonics(const Eigen::ArrayXd& angle, int first);
 
 /// What tells the profiles of a disk from those of other round bodies.
 struct ProfileShape {

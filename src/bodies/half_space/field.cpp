@@ -4,18 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <limits>
 #include <numbers>
 #include <utility>
 
 #include "bodies/field_arguments.hpp"
-#include "bodies/half_space/depth_profile.hpp"
 #include "bodies/half_space/medium.hpp"
 #include "bodies/surface/profile_sum.hpp"
 #include "bodies/surface/residual.hpp"
 #include "check.hpp"
-#include "numeric/gauss_legendre.hpp"
+#include "numeric/quadrature.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::bodies::half_space {
@@ -24,6 +24,58 @@ namespace {
 /// kz at which e^{−kz} is below 1e-17.
 constexpr double deepest = 40.0;
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::complex<double> root_above_branch_point(double square) {
+  return square >= 0.0 ? std::complex<double>(std::sqrt(square)) : std::complex<double>(0.0, std::sqrt(-square));
+}
+
+/// How the wave (k, x) moves the half-space below the surface, over its displacement of the surface into it,
+///
+///   g_z = Im{a [(1 + b²) e^{−akz} − 2e^{−bkz}]/R}/D,   g_r = Im{[(1 + b²) e^{−akz} − 2ab e^{−bkz}]/R}/D,
+///
+/// with a² = 1 − η̂x², b² = 1 − x², both roots above their branch points on the positive imaginary axis,
+/// R = (1 + b²)² − 4ab and D = −Im{ax²/R}; for the Rayleigh wave, x = x_R, with 1 for 1/R and no Im. A wave of the
+/// continuum is a standing one in the depth: what comes from there and what leaves.
+class WaveProfile {
+ public:
+  /// @param x speed of the wave along the surface over c_s: x_R, or above 1
+  WaveProfile(const LambKernel& kernel, double x);
+
+  /// @param phase kz
+  [[nodiscard]] DepthProfile at(double phase) const;
+
+ private:
+  using Complex = std::complex<double>;
+  Complex pressure_decay_, shear_decay_;  // a, b
+  Complex pressure_lateral_, shear_lateral_, pressure_normal_, shear_normal_;
+};
+
+WaveProfile::WaveProfile(const LambKernel& kernel, double x)
+    : pressure_decay_(root_above_branch_point(1.0 - kernel.squared_ratio * x * x)),
+      shear_decay_(root_above_branch_point(1.0 - x * x)) {
+  const double square = x * x, sum = 2.0 - square;  // 1 + b²
+  const Complex a = pressure_decay_, b = shear_decay_;
+  // What belongs to the Rayleigh wave is real: i makes it an imaginary part like the others.
+  const Complex inverse = x > 1.0 ? 1.0 / (sum * sum - 4.0 * a * b) : Complex(0.0, 1.0);
+  const double surface = -(a * square * inverse).imag();
+  const Complex unit = inverse / surface;
+  pressure_lateral_ = sum * unit;
+  shear_lateral_ = -2.0 * a * b * unit;
+  pressure_normal_ = a * pressure_lateral_;
+  shear_normal_ = -2.0 * a * unit;
+}
+
+DepthProfile WaveProfile::at(double phase) const {
+  const Complex pressure = std::exp(-pressure_decay_ * phase), shear = std::exp(-shear_decay_ * phase);
+  return {(pressure_lateral_ * pressure + shear_lateral_ * shear).imag(),
+          (pressure_normal_ * pressure + shear_normal_ * shear).imag()};
+}
+
+/// The same under a static load: e^{−kz}(kz − 1 + 2ν)/(2 − 2ν) and e^{−kz}(1 + kz/(2 − 2ν)).
+DepthProfile static_profile(double poisson, double phase) {
+  const double decay = std::exp(-phase), half = 0.5 / (1.0 - poisson);
+  return {decay * (phase - 1.0 + 2.0 * poisson) * half, decay * (1.0 + phase * half)};
+}
 
 /// The medium of a half-space of which these are the waves.
 Medium medium_of(double poisson, const Body& body) {

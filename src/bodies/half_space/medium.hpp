@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "bodies/half_space/lamb_kernel.hpp"
-#include "bodies/half_space/spectrum.hpp"
 #include "bodies/surface/medium_surface.hpp"
 #include "stoss/body/body.hpp"
 

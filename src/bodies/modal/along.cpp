@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "bodies/half_space/surface_waves.hpp"
-#include "bodies/modal/point_compliance.hpp"
-#include "bodies/sphere/along/outward.hpp"
+#include "bodies/modal/point_modes.hpp"
+#include "bodies/sphere/along/along.hpp"
 #include "bodies/sphere/degree_sums.hpp"
 #include "bodies/surface/residual.hpp"
 #include "check.hpp"

@@ -15,12 +15,11 @@
 #include "bodies/field_arguments.hpp"
 #include "bodies/plate/given.hpp"
 #include "bodies/plate/plate_waves.hpp"
-#include "bodies/plate/wave_numbers.hpp"
 #include "bodies/plate/wave_profiles.hpp"
 #include "bodies/surface/profile_sum.hpp"
 #include "bodies/surface/residual.hpp"
 #include "check.hpp"
-#include "numeric/gauss_legendre.hpp"
+#include "numeric/quadrature.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::bodies::plate {

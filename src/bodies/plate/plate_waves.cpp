@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "bodies/plate/branches.hpp"
-#include "bodies/plate/wave_numbers.hpp"
 
 namespace stoss::bodies::plate {
 namespace {

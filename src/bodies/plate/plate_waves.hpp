@@ -4,7 +4,6 @@
 
 #include "bodies/plate/sheet.hpp"
 #include "bodies/surface/medium_surface.hpp"
-#include "bodies/surface/waves.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss::bodies::plate {
@@ -53,5 +52,24 @@ struct Lamina {
 
 /// Cutoff at which a plate would have about so many modes.
 [[nodiscard]] double cutoff_of_count(const Lamina& plate, double count, double duration);
+
+inline constexpr double share_of_duration = 0.9;  ///< for which the quadratures hold
+
+/// A wave number of a quadrature, and its weight.
+struct WaveNumber {
+  double k, weight;
+};
+
+/// Those of which waves with ω ≤ cutoff are kept, for times up to 0.9 duration. The last is below highest_kept.
+/// @throws InvalidInput where these are more than are computed
+[[nodiscard]] std::vector<WaveNumber> wave_numbers(const Lamina& plate, double cutoff, double duration,
+                                                   const Poll& poll = {});
+
+/// Wave number above which no modes are below the cutoff.
+[[nodiscard]] double highest_kept(const Lamina& plate, double cutoff, const Poll& poll = {});
+
+/// The layers that waves with ω ≤ cutoff reach from the upper face: deeper ones, in which slower waves may run, move
+/// this face by less than rounding.
+[[nodiscard]] Sheets reached(const Sheets& part, double k, double cutoff);
 
 }  // namespace stoss::bodies::plate

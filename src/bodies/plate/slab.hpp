@@ -6,9 +6,8 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "bodies/plate/pair_number.hpp"
 #include "bodies/plate/sheet.hpp"
-#include "bodies/plate/small_matrix.hpp"
+#include "bodies/plate/small_algebra.hpp"
 
 namespace stoss::bodies::plate {
 

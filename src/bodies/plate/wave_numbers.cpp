@@ -1,5 +1,5 @@
 // Quadratures over the wave number, of as many nodes as waves turn in phase within the contact.
-#include "bodies/plate/wave_numbers.hpp"
+#include "bodies/plate/plate_waves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "bodies/plate/branches.hpp"
 #include "check.hpp"
-#include "numeric/gauss_legendre.hpp"
+#include "numeric/quadrature.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::bodies::plate {

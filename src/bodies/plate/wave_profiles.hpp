@@ -5,11 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "bodies/plate/pair_number.hpp"
 #include "bodies/plate/plate_waves.hpp"
 #include "bodies/plate/sheet.hpp"
-#include "bodies/plate/small_matrix.hpp"
-#include "bodies/plate/wave_numbers.hpp"
+#include "bodies/plate/small_algebra.hpp"
 
 namespace stoss::bodies::plate {
 

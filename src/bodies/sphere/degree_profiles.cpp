@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "bodies/sphere/legendre.hpp"
-#include "bodies/sphere/static_field.hpp"
+#include "bodies/sphere/radial_field.hpp"
 
 namespace stoss::bodies::sphere {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bodies/kept_profiles.hpp"
-#include "bodies/sphere/mode_field.hpp"
+#include "bodies/sphere/radial_field.hpp"
 #include "bodies/sphere/surface_points.hpp"
 #include "stoss/body/body.hpp"
 

@@ -8,10 +8,9 @@
 
 #include "bodies/sphere/along/toroidal.hpp"
 #include "bodies/sphere/legendre.hpp"
-#include "bodies/sphere/static_flexibility.hpp"
-#include "bodies/sphere/sum_quadrature.hpp"
 #include "bodies/sphere/surface_points.hpp"
 #include "numeric/cosine_integral.hpp"
+#include "numeric/quadrature.hpp"
 #include "numeric/symmetric_products.hpp"
 
 namespace stoss::bodies::sphere {
@@ -146,11 +145,11 @@ void add_blocks(const DegreeSum& sum, const Eigen::ArrayXd& angle, long first, l
     products.add(pair, legendre(n + 1.0), legendre(n - 1.0));
   };
   const auto most = static_cast<long>(std::min(rule_phase / angle.maxCoeff(), 1e9));
-  SumRule rule;
+  numeric::SumRule rule;
   long terms = 0;
   while (first <= nyquist) {
     const long wanted = std::min({most, 2 * first, nyquist - first + 1});
-    if (wanted != terms) rule = sum_rule(wanted, rule_nodes);
+    if (wanted != terms) rule = numeric::sum_rule(wanted, rule_nodes);
     terms = wanted;
     for (std::size_t k = 0; k < rule.node.size(); ++k) add(static_cast<double>(first) + rule.node[k], rule.weight[k]);
     first += terms;

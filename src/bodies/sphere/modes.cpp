@@ -1,10 +1,9 @@
 #include "stoss/bodies/sphere/modes.hpp"
 
-#include "bodies/mode_checks.hpp"
-#include "bodies/sphere/mode_field.hpp"
+#include "bodies/mode_search.hpp"
+#include "bodies/sphere/degree_sums.hpp"
 #include "bodies/sphere/mode_search.hpp"
-#include "bodies/sphere/static_field.hpp"
-#include "bodies/sphere/static_flexibility.hpp"
+#include "bodies/sphere/radial_field.hpp"
 #include "check.hpp"
 #include "quantity_help.hpp"
 

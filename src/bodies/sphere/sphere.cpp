@@ -14,7 +14,6 @@
 
 #include "bodies/round_body.hpp"
 #include "bodies/sphere/along/along.hpp"
-#include "bodies/sphere/along/outward.hpp"
 #include "bodies/sphere/degree_sums.hpp"
 #include "bodies/sphere/legendre.hpp"
 #include "bodies/sphere/mode_search.hpp"

@@ -4,12 +4,18 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "bodies/surface/depth_profile.hpp"
 #include "bodies/surface/medium_surface.hpp"
 #include "stoss/bodies/half_space/field.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss::bodies {
+
+/// Amplitudes of a displacement at a depth: u_z goes with the shape along the surface, cos kx or J₀(kr), and u_x, u_r
+/// with sin kx or J₁(kr).
+struct DepthProfile {
+  double lateral;
+  double normal;
+};
 
 /// Throws InvalidInput for points that are not below a surface, or not of a depth that is there.
 void require_points(const half_space::PlaneGrid& points, const ContactPoints& contact, double deepest);

@@ -4,8 +4,7 @@
 
 #include "bodies/parity.hpp"
 #include "bodies/surface/medium_surface.hpp"
-#include "bodies/surface/plane_residual.hpp"
-#include "bodies/surface/waves.hpp"
+#include "bodies/surface/residual.hpp"
 #include "stoss/body/body.hpp"
 
 namespace stoss::bodies {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "bodies/sphere/degree_sums.hpp"
-#include "bodies/sphere/static_flexibility.hpp"
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/bodies/sphere/modes.hpp"

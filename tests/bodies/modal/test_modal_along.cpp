@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bodies/modal/point_compliance.hpp"
+#include "bodies/modal/point_modes.hpp"
 #include "bodies/sphere/degree_sums.hpp"
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/modal_body.hpp"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "bodies/modal/point_compliance.hpp"
+#include "bodies/modal/point_modes.hpp"
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/modal_body.hpp"
 #include "stoss/bodies/plate.hpp"

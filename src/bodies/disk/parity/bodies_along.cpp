@@ -6,13 +6,49 @@
 #include <utility>
 
 #include "bodies/disk/edge_points.hpp"
-#include "bodies/disk/parity/sums.hpp"
-#include "bodies/disk/parity/torsion.hpp"
-#include "bodies/kept_sums.hpp"
+#include "bodies/mode_search.hpp"
 #include "bodies/residual.hpp"
+#include "numeric/bessel.hpp"
 
 namespace stoss::bodies::disk {
 namespace {
+
+/// The vibrations of a free disk with u_r = 0 and u_φ = J₁(kr)/J₁(k) at all angles, scaled as bodies::Mode: modal mass
+/// that of the disk, amplitude 1 at the edge. They are free of stress there where J₂(k) = 0, and ω = k c_S.
+class Torsion {
+ public:
+  /// Those up to a cutoff.
+  Torsion(double poisson, double cutoff);
+
+  [[nodiscard]] const std::vector<double>& omega() const { return omega_; }
+
+  /// Σ 1/ω² over those beyond the cutoff: over all of them it is the static flexibility (1 + ν)/6, without the rotation
+  /// of the disk.
+  [[nodiscard]] double missing_compliance() const { return missing_compliance_; }
+
+  /// Σ 1/ω⁴ over the same; over all of them (1 + ν)²/144.
+  [[nodiscard]] double missing_second_moment() const { return missing_second_moment_; }
+
+ private:
+  std::vector<double> omega_;
+  double missing_compliance_, missing_second_moment_;
+};
+
+Torsion::Torsion(double poisson, double cutoff)
+    : missing_compliance_((1.0 + poisson) / 6.0), missing_second_moment_((1.0 + poisson) * (1.0 + poisson) / 144.0) {
+  const double per_omega = std::sqrt(2.0 * (1.0 + poisson));
+  std::vector<numeric::BesselPair> pairs(3);
+  const auto second_order = [&](double k) {
+    numeric::bessel_pairs(k, pairs);
+    return std::ldexp(pairs[2].value, pairs[2].exponent);
+  };
+  for (const double k : breathing_roots(second_order, per_omega, cutoff)) {
+    const double omega = k / per_omega, compliance = 1.0 / (omega * omega);
+    omega_.push_back(omega);
+    missing_compliance_ -= compliance;
+    missing_second_moment_ -= compliance * compliance;
+  }
+}
 
 std::size_t plus(std::size_t m) { return 2 * m; }
 std::size_t minus(std::size_t m) { return 2 * m + 1; }

@@ -1,6 +1,6 @@
 // The products of cosines and sines of nφ_i and nφ_j are those of n(φ_i − φ_j) and n(φ_i + φ_j): the sums are those of
 // OrderTables, with other factors of cos φ and sin φ.
-#include "bodies/disk/parity/sums.hpp"
+#include "bodies/disk/parity/bodies_along.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>

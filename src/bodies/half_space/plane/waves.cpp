@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <numbers>
 
-#include "bodies/half_space/continuum.hpp"
-#include "numeric/gauss_legendre.hpp"
+#include "bodies/half_space/surface_waves.hpp"
+#include "numeric/quadrature.hpp"
 
 namespace stoss::bodies::half_space {
 namespace {

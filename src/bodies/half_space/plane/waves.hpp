@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bodies/half_space/medium.hpp"
-#include "bodies/surface/waves.hpp"
+#include "bodies/surface/medium_surface.hpp"
 #include "stoss/bodies/round.hpp"
 #include "stoss/poll.hpp"
 

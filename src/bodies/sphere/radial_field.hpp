@@ -1,6 +1,10 @@
 #pragma once
 
-#include "bodies/radial_powers.hpp"
+#include <span>
+#include <vector>
+
+#include "bodies/kept_profiles.hpp"
+#include "stoss/bodies/sphere/modes.hpp"
 
 namespace stoss::bodies::sphere {
 
@@ -43,5 +47,12 @@ struct StaticField {
 
 /// The field for the tractions p = normal and t = shear (of no effect for n = 0), in E.
 [[nodiscard]] StaticField static_field(double poisson, int order, double normal, double shear);
+
+/// Displacement and stress of a free vibration inside the sphere: the formulas of EdgeProblem with κr for κ and, at
+/// r = 0, their limits.
+/// @param radii 0 … 1
+/// @throws InvalidInput for a Poisson's ratio, a mode or a radius out of range
+[[nodiscard]] std::vector<RadialField> mode_field(double poisson, const Mode& mode, std::span<const double> radii,
+                                                  const Poll& poll);
 
 }  // namespace stoss::bodies::sphere

@@ -1,4 +1,4 @@
-#include "bodies/mode_checks.hpp"
+#include "bodies/mode_search.hpp"
 
 #include <algorithm>
 #include <cmath>
