@@ -4,6 +4,7 @@
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/encounter/document.hpp"
+#include "stoss/encounter/inputs.hpp"
 #include "stoss/encounter/laws.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/encounter/series.hpp"
@@ -24,6 +25,18 @@ py::list all_kinds() {
     }
     all.append(
         py::make_tuple(each.name, each.wall, each.bounded, each.can_be_rigid, each.has_plane, each.from_file, numbers));
+  }
+  return all;
+}
+
+/// Each input of each question.
+py::list all_inputs() {
+  py::list all;
+  for (const Input& each : inputs()) {
+    for (const auto& [question, name] : questions()) {
+      if (each.use(question) == nullptr) continue;
+      all.append(py::make_tuple(name, each.name, each.low, each.high, each.low_included, each.high_included));
+    }
   }
   return all;
 }
@@ -108,6 +121,7 @@ void bind_encounters(py::module_& module) {
              "(name, wall, bounded, can_be_rigid, has_plane, from_file, numbers) of each, with numbers (name, unit, "
              "default or "
              "None, low, high, low_included, of_material)");
+  module.def("inputs", &all_inputs, "(question, name, low, high, low_included, high_included) of each input of each");
   module.def(
       "meets", [](const std::string& first, const std::string& against) { return meets(kind(first), kind(against)); },
       py::arg("first"), py::arg("against"));

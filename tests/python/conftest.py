@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import re
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -56,7 +57,7 @@ def command():
     """Runs the stoss command; returns its JSON."""
 
     def run(arguments):
-        words = [os.environ["STOSS"], *arguments.split(), "--format", "json", "--quiet"]
+        words = [os.environ["STOSS"], *shlex.split(arguments), "--format", "json", "--quiet"]
         result = subprocess.run(words, capture_output=True, text=True, timeout=120, check=True)
         return json.loads(result.stdout)
 

@@ -25,7 +25,7 @@ AXES = {"restitution": "speed", "function": "speed", "quasistatic": "speed", "sl
 """What the rows of a kind of file run along."""
 
 WHOLE = frozenset(
-    "order index modes runs steps contacts nodes sample number collisions of cutoff_level impacts pair".split()
+    "order index modes runs steps contacts nodes sample number collisions of cutoff_level impacts pair touching".split()
 )
 """Columns of integers, where all others have numbers with a fraction."""
 

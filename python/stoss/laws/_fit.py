@@ -97,6 +97,11 @@ class Fit(Result):
     def __str__(self) -> str:
         return "\n".join([*self._head(), *self.lines])
 
+    def __post_init__(self) -> None:
+        for each in vars(self).values():
+            if isinstance(each, np.ndarray):
+                each.flags.writeable = False
+
     def write(self, path: str | os.PathLike[str]) -> None:
         """Write `lines` to a file, under comments that say how far off the law is where the program allows any.
 

@@ -119,6 +119,9 @@ class Grid:
         along = "".join(f", {length} {name}s" for name, length in zip(self.axes, lengths))
         return f"Grid({bodies} bodies, {partners} partners{along})"
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Grid.from_dict, (self.to_dict(),)
+
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Grid) and self.to_dict() == other.to_dict()
 

@@ -1,11 +1,17 @@
-"""The classes of bodies, blocks and walls are those of the core's table of kinds: names, order, defaults, ranges."""
+"""The classes of bodies, blocks and walls are those of the core's table of kinds: names, order, defaults, ranges; they,
+walls and materials are values."""
 
+import copy
 import dataclasses
 import json
 import math
+import pickle
 
+import numpy as np
 import pytest
 import stoss
+from wrong_values import NUMBERS as NO_NUMBERS
+from wrong_values import SEVERAL
 
 CLASSES = {"disk": stoss.Disk, "sphere": stoss.Sphere, "rod": stoss.Rod, "half-space": stoss.HalfSpace,
            "half-plane": stoss.HalfPlane, "plate": stoss.Plate, "strip": stoss.Strip,
@@ -78,6 +84,10 @@ def test_ranges_are_those_of_the_core(kind, name, unit, otherwise, low, high, lo
     for value in (below, math.nan, *((math.nextafter(high, math.inf),) if math.isfinite(high) else (math.inf,))):
         with pytest.raises(stoss.InvalidInput, match=f"^{name}: got "):
             made(kind, **{name: value})
+    for value in [*NO_NUMBERS, *SEVERAL]:
+        if value is not None:
+            with pytest.raises(stoss.InvalidInput, match=f"^{name}: got .+, allowed .+$"):
+                made(kind, **{name: value})
     for value in ((low,) if low_included else ()) + ((high,) if math.isfinite(high) else ()):
         assert getattr(made(kind, **{name: value}), name) == value
 
@@ -91,3 +101,44 @@ def test_an_encounter_is_the_document_of_the_core(kind):
     numbers = {name: getattr(body, name) for name, *_ in KINDS[kind]["numbers"]}
     assert document.pop("format").startswith("stoss encounter ")
     assert document == {"first": {"kind": kind, **numbers}, "against": {"kind": kind, **numbers}}
+
+
+RUBBER = stoss.Material(young=2e6, poisson=0.49, density=1100, quality=(10, 2 * np.pi * 500))
+GLASS, PVB = stoss.materials["glass"], stoss.materials["PVB"]
+PANE, FILM = stoss.Layer(thickness=4e-3, material=GLASS), stoss.Layer(thickness=0.8e-3, material=PVB)
+LAMINATED = stoss.Plate(layers=[PANE, FILM, PANE], loss_time=0)
+COATED = stoss.Plate(layers=[stoss.Layer(thickness=0.1, young=4), stoss.Layer(poisson=0.2)])
+IN_SI = [stoss.Sphere(radius=5e-3, material=RUBBER), stoss.Disk(radius=5e-3, material=RUBBER, plane="strain"),
+         stoss.Rod(length=5e-3, area=1e-4, material=RUBBER), stoss.HalfSpace(material=RUBBER), stoss.HalfPlane(material=RUBBER),
+         stoss.Strip(thickness=0.01, material=RUBBER)]  # fmt: skip
+VALUES = [
+    *(made(kind) for kind in CLASSES), *(made(kind, **{KINDS[kind]["numbers"][0][0]: 0.4}) for kind in ("disk", "sphere", "plate")),
+    stoss.HardWall(), stoss.ExponentialWall(hardness=9), stoss.Rod(area=2, loss_time=2), stoss.HalfSpace(young=2, loss_time=0.1),
+    stoss.Disk(poisson=0.3, rigid=True), stoss.Sphere(radius=5e-3, material=RUBBER, rigid=True), RUBBER, GLASS, PANE, LAMINATED, COATED,
+    *IN_SI,
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("one", VALUES, ids=repr)
+def test_they_are_values(one):
+    for twin in (copy.deepcopy(one), pickle.loads(pickle.dumps(one)), dataclasses.replace(one), eval(repr(one), vars(stoss))):
+        assert one == twin and hash(one) == hash(twin) and repr(one) == repr(twin)
+    assert [one == other for other in VALUES].count(True) == 1 and len({*VALUES}) == len(VALUES)
+    for field in dataclasses.fields(one):
+        with pytest.raises(dataclasses.FrozenInstanceError):
+            setattr(one, field.name, getattr(one, field.name))
+
+
+@pytest.mark.parametrize("lossy", IN_SI, ids=repr)
+def test_bodies_have_the_loss_time_of_their_material(lossy):
+    elastic = dataclasses.replace(lossy, loss_time=0)
+    assert lossy.loss_time == RUBBER.loss_time and elastic.loss_time == 0
+    assert dataclasses.replace(lossy, loss_time=RUBBER.loss_time) == lossy != elastic
+    assert "loss_time" not in repr(lossy).partition("material=")[0] and "loss_time=0" in repr(elastic)
+
+
+def test_a_quality_is_that_of_one_frequency_and_a_rigid_body_loses_nothing():
+    assert RUBBER.loss_time == pytest.approx(1 / (10 * 2 * np.pi * 500), rel=1e-15)
+    assert RUBBER == stoss.Material(young=2e6, poisson=0.49, density=1100, loss_time=RUBBER.loss_time)
+    assert dataclasses.replace(RUBBER, young=1e6).loss_time == RUBBER.loss_time
+    assert stoss.Sphere(radius=5e-3, material=RUBBER, rigid=True).loss_time == 0

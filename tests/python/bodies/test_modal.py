@@ -98,15 +98,6 @@ def test_files_give_back_what_friction_asks(tmp_path, suffix):
         assert pickle.loads(pickle.dumps(each)) == each
 
 
-def test_friction_turns_it_as_a_ball():
-    """Where all slides, each takes its share of the impulse of friction, and more modes do not matter."""
-    found, exact = (stoss.oblique(each, speed=0.05, tangential=0.1, friction=0.05) for each in (rough_ball(), SPHERE))
-    for name in ("tangential_restitution", "tangential_after", "spin_after", "sliding_after"):
-        allowed = getattr(found, f"{name}_error") + getattr(exact, f"{name}_error")
-        assert abs(getattr(found, name) - getattr(exact, name)) <= allowed, name
-    assert found.tangential_restitution == pytest.approx(exact.tangential_restitution, abs=1e-3)
-
-
 @pytest.mark.parametrize(
     "changes, line",
     [
@@ -130,14 +121,6 @@ def test_points_join_the_names_in_an_npz_file_too(tmp_path, body):
     path = tmp_path / "ball.npz"
     np.savez(path, **flat, **{f"modes.{name}": each for name, each in modes.items()})
     assert stoss.ModalBody.read(path) == body
-
-
-def test_a_blow_beside_the_centre_of_mass_feels_less_of_it():
-    speed = {"speed": 0.5, "cutoff": 6.0}
-    central, beside = (stoss.impact(each, **speed) for each in (ball(), ball(rotation=TURNING)))
-    felt = 1.0 / (1.0 / ball().mass + 0.002**2 / 1e-6)
-    # The contact of Hertz lasts as m^(2/5).
-    assert beside.contact_time_si / central.contact_time_si == pytest.approx((felt / ball().mass) ** 0.4, rel=0.02)
 
 
 @pytest.mark.parametrize(

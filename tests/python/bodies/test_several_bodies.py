@@ -1,12 +1,31 @@
-"""Several bodies in one call: they broadcast with the speeds; what cannot be in one list."""
+"""Several bodies in one call: they broadcast with the speeds, and what they meet is like each of them."""
 
 import numpy as np
 import pytest
-
 import stoss
 
 BALL = stoss.Sphere(poisson=0.3)
-STEEL = stoss.materials["structural steel"]
+
+
+@pytest.mark.parametrize("first, made, against", [
+    (stoss.Disk, stoss.HalfPlane, stoss.HalfPlane(young=2.0)), (stoss.Sphere, stoss.HalfSpace, stoss.HalfSpace(young=2.0)),
+])  # fmt: skip
+def test_what_they_meet_has_the_poisson_number_of_each(first, made, against):
+    bodies = [first(poisson=poisson) for poisson in (0.2, 0.3)]
+    curve = stoss.restitution(bodies, against=against, speed=0.1, tolerance=0.01)
+    assert curve.against == against
+    for body, lost in zip(bodies, curve.lost_fraction):
+        one = stoss.restitution(body, against=made(poisson=body.poisson, young=2.0), speed=0.1, tolerance=0.01)
+        assert one.lost_fraction == lost
+
+
+def test_same_of_many_poisson_numbers():
+    many = stoss.restitution(poisson=[[0.2], [0.5]], against="same", speed=[0.1, 0.2], tolerance=1e-2)
+    assert many.against == "same" and many.body is None and "against 'same'" in repr(many)
+    for i, nu in enumerate((0.2, 0.5)):
+        disk = stoss.Disk(poisson=nu)
+        alone = stoss.restitution(disk, against=disk, speed=0.2, tolerance=1e-2)
+        assert many.restitution[i, 1] == alone.restitution and alone.against == disk
 
 
 def test_several_spheres_broadcast_with_the_speeds(tmp_path, closed):
@@ -34,17 +53,9 @@ def test_several_spheres_broadcast_with_the_speeds(tmp_path, closed):
     assert [text.get_text() for text in axes.get_legend().get_texts()] == ["ν = 0", "ν = 0.3"]
 
 
-@pytest.mark.parametrize(
-    "bodies, said",
-    [
-        ([], r"\[\], allowed one body, or a list"),
-        ([BALL, stoss.Disk(poisson=0.3)], r"Disk\(poisson=0.3\), allowed one kind of bodies"),
-        ([stoss.Rod()], r"Rod\(\), allowed a stoss.Disk or a stoss.Sphere"),
-        ([[BALL], 3], "allowed a stoss.Disk or a stoss.Sphere"),
-        (np.array([0.3]), "0.3, allowed a stoss.Disk or a stoss.Sphere"),
-        ([stoss.Sphere(radius=0.01, material=STEEL)], "allowed bodies without a material in a list"),
-    ],
-)
-def test_refusals_of_several(bodies, said):
-    with pytest.raises(stoss.InvalidInput, match=f"^body: got .*{said}"):
-        stoss.restitution(bodies, speed=0.1)
+def test_absolute_is_the_companion_of_tolerance():
+    coarse, fine = (stoss.restitution(BALL, speed=1e-3, absolute=each) for each in (1e-4, 0.0))
+    assert (coarse.absolute, fine.absolute, stoss.restitution(BALL, speed=0.1).absolute) == (1e-4, 0.0, 1e-6)
+    assert coarse.converged and coarse.lost_fraction_error <= 1e-4 and coarse.cutoff < fine.cutoff
+    assert fine.lost_fraction_error <= 1e-3 * fine.lost_fraction
+    assert fine.to_dict()["absolute"] == 0.0 and "absolute" in fine._inputs()

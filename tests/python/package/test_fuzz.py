@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
 import stoss
+from test_refusals import CALLS
 
 # An example that takes longer than five seconds is a defect too.
 # All of them in make test-long.
@@ -161,13 +162,12 @@ PUBLIC = {
     "displacement": (modes.displacement, {"order": 2, "index": 0, "radius": 0.5}),
     "find": (modes.find, {"order": 2, "index": 0}),
 }
+# One of four of the examples for each, as there are many.
+QUASISTATIC = {name: call for name, call in CALLS.items() if call[0].__module__.startswith("stoss.quasistatic")}
 
 
-@pytest.mark.parametrize("name", PUBLIC)
-@given(data=st.data())
-@FUZZ
-def test_public(name, data):
-    function, usual = PUBLIC[name]
+def drawn_call(data, function, usual):
+    """It is called with one or two arguments that may be anything."""
     parameters = list(inspect.signature(function).parameters)
     changed = data.draw(st.lists(st.sampled_from(parameters), min_size=1, max_size=2, unique=True))
     drawn = {}
@@ -179,6 +179,20 @@ def test_public(name, data):
     called(function, {**arguments, **drawn})
 
 
+@pytest.mark.parametrize("name", PUBLIC)
+@given(data=st.data())
+@FUZZ
+def test_public(name, data):
+    drawn_call(data, *PUBLIC[name])
+
+
+@pytest.mark.parametrize("name", QUASISTATIC)
+@given(data=st.data())
+@settings(FUZZ, max_examples=max(EXAMPLES // 4, 1))
+def test_quasistatic(name, data):
+    drawn_call(data, *QUASISTATIC[name])
+
+
 @given(poisson=boxed(shaped), speed=boxed(shaped))
 @FUZZ
 def test_arrays(poisson, speed):
@@ -186,6 +200,15 @@ def test_arrays(poisson, speed):
     if result is not None:
         assert np.shape(result.restitution) == np.shape(result.speed) == np.shape(result.poisson)
         assert np.all((0.3 < np.asarray(result.restitution)) & (np.asarray(result.restitution) <= 1))
+
+
+@given(poisson=boxed(shaped), speed=boxed(shaped))
+@FUZZ
+def test_arrays_of_slow_impacts(poisson, speed):
+    result = called(stoss.quasistatic.slow_impact, {"poisson": poisson.content, "speed": speed.content})
+    if result is not None:
+        assert np.shape(result.contact_time) == np.shape(result.speed) == np.shape(result.poisson)
+        assert np.all((np.asarray(result.contact_time) > 3) & (np.asarray(result.max_force) < 1))
 
 
 @given(data=st.data())

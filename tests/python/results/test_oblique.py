@@ -1,14 +1,10 @@
-"""Oblique impacts: those of the command, over arrays, in SI, with what goes wrong."""
-
-import json
+"""Oblique impacts: over arrays, with what goes wrong, and one of them in time."""
 
 import numpy as np
 import pytest
 import stoss
 
-BALL = stoss.Sphere(poisson=0.3)
-STEEL = stoss.Material(young=2.1e11, poisson=0.3, density=7850)
-SHOT = stoss.Sphere(radius=0.01, material=STEEL)
+BALL, PLATE = stoss.Sphere(poisson=0.3), stoss.Disk(poisson=0.33)
 
 
 @pytest.fixture(scope="module")
@@ -46,15 +42,6 @@ def test_selection_keeps_the_inputs(fan):
         len(single)
 
 
-def test_momentum_is_kept():
-    """A ball: Ω′ − Ω = 5/2 (v_t′ − v_t)/R, but for the arms beside the middle."""
-    result = stoss.oblique(BALL, speed=1e-3, tangential=[1e-3, 3e-4], spin=[2e-4, -1e-4], friction=0.2)
-    turned, slowed = result.spin_after - result.spin, result.tangential_after - result.tangential
-    assert turned / (2.5 * slowed) == pytest.approx([1, 1], abs=2e-3)
-    assert result.sliding == pytest.approx(result.tangential + result.spin)
-    assert result.tangential_restitution == pytest.approx(-result.sliding_after / result.sliding)
-
-
 def test_a_line_says_the_essential(fan):
     one = stoss.oblique(BALL, speed=0.05, tangential=0.02, spin=0.01, friction=0.3, against="same")
     assert repr(one).startswith(
@@ -64,21 +51,6 @@ def test_a_line_says_the_essential(fan):
     values = "6 values, Sphere(poisson=0.3), speed=0.01 to 0.05 c, friction=0.2: tangential restitution 0."
     assert repr(fan).startswith(f"ObliqueRestitution({values}")
     assert repr(fan).endswith("all converged)")
-
-
-def test_tables_have_units_and_errors(fan, tmp_path):
-    fan.to_csv(tmp_path / "fan.csv")
-    head = next(line for line in (tmp_path / "fan.csv").read_text().splitlines() if not line.startswith("#"))
-    names = ["speed[c]", "tangential[c]", "spin[c/R]", "second_spin[c/R]", "friction", "restitution"]
-    assert head.split(",")[:6] == names and "sliding_after_error[c]" in head and "spin_after[c/R]" in head
-    table = stoss.read_csv(tmp_path / "fan.csv")
-    assert table["sliding_after"].tolist() == fan.sliding_after.ravel().tolist()
-    frame = fan.to_dataframe()
-    assert frame.shape[0] == 6 and frame.attrs["units"]["tangential_after"] == "c"
-    assert fan.to_xarray().restitution.shape == (2, 3)
-    angles = stoss.oblique(BALL, speed=0.05, tangential=[0.01, 0.02], friction=0.2)
-    assert angles.to_xarray().restitution.dims == ("tangential",)
-    assert json.loads(json.dumps(fan.to_dict()))["tolerance"] == 0.01
 
 
 def test_nothing_slides_before():
@@ -93,62 +65,80 @@ def test_what_misses_its_tolerance():
         stoss.oblique(BALL, speed=0.1, tangential=0.02, friction=0.2, tolerance=1e-5)
     assert isinstance(missed.value.best, stoss.ObliqueRestitution) and missed.value.best.sliding_after_error > 0
     assert repr(missed.value.best).endswith("not converged)")
-    with pytest.warns(stoss.StossWarning, match="1 of 2 values not as accurate"):
-        result = stoss.oblique(BALL, speed=0.1, tangential=[0.02, 0.5], friction=0.2, tolerance=1e-5)
-    assert result.converged.tolist() == [False, True] and result.reason[1] == ""
 
 
-def test_warnings():
-    with pytest.warns(stoss.StossWarning, match="linear elasticity"):
-        stoss.oblique(BALL, speed=[0.7], tangential=1.0, friction=0.01)
-    hard = stoss.Material(young=2.1e11, poisson=0.3, density=7850, yield_strength=1e9)
-    with pytest.warns(stoss.StossWarning, match="^the ball yields above 0.0339 m/s .*, 30 times that.: the real rebound is much lower; use stoss predict$"):
-        result = stoss.oblique(stoss.Sphere(radius=0.01, material=hard), speed=1.0, angle=30, friction=0.1)
-    assert result.beyond_yield and result.yield_speed_si == pytest.approx(0.0339, rel=1e-2)
+CASES = {
+    "ball": (BALL, {"tangential": 0.02, "friction": 0.3}),
+    "balls": (BALL, {"angle": 40, "spin": 0.02, "second_spin": 0.03, "friction": 0.2, "against": stoss.Sphere(
+        poisson=0.2, radius=2)}),
+    "block": (BALL, {"angle": 30, "friction": 0.2, "against": stoss.HalfSpace(), "cutoff": 8}),
+    "disk": (PLATE, {"angle": -20, "friction": 0.3, "cutoff": 12.5}),
+    "disks": (PLATE, {"angle": 20, "spin": 0.01, "friction": 0.3, "cutoff": 12.5, "against": stoss.Disk(
+        poisson=0.1, radius=2)}),
+    "smooth": (PLATE, {"angle": 20, "friction": 0.0, "cutoff": 12.5}),
+}  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    "given, said",
-    [
-        ({"speed": 2}, "speed: got 2, allowed 1e-8 to 1"),
-        ({"tangential": 1.5}, "tangential: got 1.5, allowed -1 to 1"),
-        ({"angle": 90}, "angle: got 90, allowed -90 to 90"),
-        ({"angle": 3, "tangential": 0.1}, "angle: got tangential and angle, allowed one of them"),
-        ({"spin": [0, 2]}, "spin: got 2, allowed -1 to 1"),
-        ({"second_spin": 0.1}, "second_spin: got one that is not 0, allowed only 0"),
-        ({"friction": -0.1}, "friction: got -0.1, allowed 0 to 5"),
-        ({"friction": None}, "friction: got None, allowed a number or an array of numbers"),
-        ({"tolerance": 1e-9}, "tolerance: got 1e-09, allowed 1e-6 to 0.5"),
-        ({"threads": -1}, "threads: got -1"),
-        ({"speed": [0.1, 0.2], "spin": [0, 0, 0]}, "speed, tangential, spin, second_spin, friction: got shapes"),
-        ({"body": stoss.Rod()}, "friction: not available for 'rod', but for disks"),
-        ({"against": stoss.ExponentialWall()}, "against: got "),
-        ({"against": stoss.Disk(poisson=0.3)}, "against: got "),
-        ({"body": SHOT, "speed": 1, "tangential": 1e4}, "; with this material c is 5172.19 m/s"),
-        ({"body": SHOT, "speed": 1, "spin": 1e9}, "; with this material c/R is 517219 rad/s"),
-    ],
-)
-def test_refused_in_one_line(given, said):
-    with pytest.raises(stoss.InvalidInput) as refused:
-        stoss.oblique(**{"body": BALL, "speed": 0.1, "friction": 0.1} | given)
-    assert said in str(refused.value) and "\n" not in str(refused.value)
+@pytest.fixture(scope="module", params=CASES, ids=list(CASES))
+def hit(request):
+    body, given = CASES[request.param]
+    return stoss.oblique_impact(body, **{"speed": 0.05, "cutoff": 20} | given)
 
 
-def test_no_values():
-    empty = stoss.oblique(BALL, speed=[], friction=0.1)
-    assert empty.restitution.shape == (0,) and len(empty) == 0
+@pytest.fixture(scope="module")
+def path(hit):
+    return hit.trajectory()
 
 
-def test_interrupted_keeps_what_is_done(interpreter):
-    result = interpreter.run(
-        """
-import signal, threading, numpy as np, stoss
-threading.Timer(0.6, lambda: signal.raise_signal(signal.SIGINT)).start()
-try:
-    stoss.oblique(stoss.Sphere(poisson=0.3), speed=np.geomspace(1e-3, 0.1, 4000), angle=30, friction=0.1)
-except stoss.Interrupted as stopped:
-    done = np.isfinite(stopped.best.restitution)
-    print(0 < done.sum() < 4000, (stopped.best.reason[~done] == "interrupted").all(), stopped)
-"""
-    )
-    assert result.stdout.startswith("True True oblique: interrupted after "), result.stderr
+def test_shapes(hit, path):
+    rows = hit.steps + 1
+    points = hit.nodes * (1 if isinstance(hit.body, stoss.Sphere) else 2)
+    assert len(path) == rows == path.shift.size and path.touching.dtype.kind == "i"
+    for name in ("point_pressure", "point_friction", "slip", "grip"):
+        assert getattr(path, name).shape == (rows, points)
+    assert path.place.shape == path.measure.shape == (points,) and (np.diff(path.place) > 0).all()
+    assert path.grip.dtype == np.int8 and set(np.unique(path.grip)) <= {-1, 0, 1, 2}
+    pair = isinstance(hit.against, (stoss.Sphere, stoss.Disk))
+    assert path.x.shape == (rows,) and np.shape(path.second_x) == ((rows,) if pair else ())
+
+
+def test_it_begins_and_ends_as_the_impact(hit, path):
+    assert (path.velocity[0], path.tangential[0]) == (hit.speed, hit.tangential)
+    assert (path.spin[0], path.second_spin[0], path.shift[0], path.angle[0]) == (hit.spin, hit.second_spin, 0, 0)
+    assert path.velocity[-1] == pytest.approx(-hit.restitution * hit.speed, abs=1e-13)
+    assert path.tangential[-1] == pytest.approx(hit.tangential_after, abs=1e-13)
+    assert path.spin[-1] == pytest.approx(hit.spin_after, abs=1e-13)
+    assert path.second_spin[-1] == pytest.approx(hit.second_spin_after, abs=1e-13)
+
+
+def test_every_so_many_steps():
+    hit = stoss.oblique_impact(BALL, speed=0.05, tangential=0.02, friction=0.3)
+    whole, part = hit.trajectory(), hit.trajectory(every=7)
+    rows = np.unique(np.append(np.arange(0, hit.steps + 1, 7), hit.steps))
+    assert part.time.tolist() == whole.time[rows].tolist() and (part.slip == whole.slip[rows]).all()
+
+
+def test_rows_and_units(hit, path):
+    part = path[10:30:5]
+    assert len(part) == 4 and part.grip.shape == (4, path.place.size) and (part.place == path.place).all()
+    row = path[7]
+    assert row["time"] == path.time[7] and row["slip"] == path.slip[7].tolist() and "place" not in row
+    assert len(path[path.touching > 0]) == np.count_nonzero(path.touching)
+    with pytest.raises(stoss.InvalidInput, match="index: got"):
+        path[None]
+    units = path._units_of(path._columns())
+    assert units["force"] == ("piRE" if isinstance(hit.body, stoss.Disk) else "mc^2/R")
+    assert (units["shift"], units["tangential"], units["second_angle"]) == ("R", "c", "rad")
+
+
+def test_curves_have_ledgers():
+    fan = stoss.oblique(BALL, speed=[[0.01], [0.05]], angle=[5, 30, 60], friction=0.2)
+    assert fan.energy.friction.shape == (2, 3) and len(fan.energy) == 2
+    assert fan.energy.total == pytest.approx(1 - fan.energy_error)
+    assert fan.energy.friction == pytest.approx(fan.friction_loss)
+    assert fan[1].energy[2].across == fan.energy.across[1, 2]
+    one = stoss.oblique(BALL, speed=0.05, angle=60, friction=0.2)
+    assert one.energy.rotation == fan.energy.rotation[1, 2] and isinstance(one.energy.rotation, float)
+    assert one.energy.to_dataframe().shape == (1, 10) and len(fan.energy.to_dict()["friction"]) == 2
+    with pytest.raises(TypeError):
+        len(one.energy)
