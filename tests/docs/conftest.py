@@ -7,6 +7,8 @@ import shlex
 import subprocess
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).resolve().parents[2]
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -40,6 +42,11 @@ def command(arguments):
     found = subprocess.run(words, capture_output=True, text=True, timeout=120)
     assert found.returncode in (0, 1), found.stderr  # 1: a value misses its tolerance
     return rows(found.stdout.splitlines())
+
+
+def sampled(values, every=3):
+    """Values of a parameter of which one of so many is tested at every commit, all before a release."""
+    return [value if k % every == 0 else pytest.param(value, marks=pytest.mark.long) for k, value in enumerate(values)]
 
 
 def line(*cells):

@@ -1,43 +1,29 @@
 """The numbers of docs/results/spheres.md: those of its CSV file, and those of the command that it names."""
 
-import csv
 import itertools
 import math
-import os
-import subprocess
-from pathlib import Path
 
 import pytest
+from conftest import SUPERSCRIPTS, command, line, page, sampled, table, with_error
 
-RESULTS = Path(__file__).resolve().parents[2] / "docs/results"
-PAGE = (RESULTS / "spheres.md").read_text(encoding="utf-8")
+PAGE, WORDS = page("docs/results/spheres.md")
 POISSON = (0.0, 0.2, 0.3, 0.45, 0.49)
 DECADES = (1e-6, 1e-5, 1e-4, 1e-3, 1e-2)
 SLOW = 1e-3  # up to where the wave is measured
-DIGITS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
-
-
-def table(name):
-    with open(RESULTS / name, encoding="utf-8") as file:
-        rows = csv.DictReader(line for line in file if not line.startswith("#"))
-        return [{key: float(text) if text else math.nan for key, text in row.items() if key != "converged"}
-                for row in rows]  # fmt: skip
-
-
-ROWS = {nu: list(group) for nu, group in itertools.groupby(table("spheres.csv"), lambda row: row["poisson"])}
+ROWS = {nu: list(group) for nu, group in itertools.groupby(table("docs/results/spheres.csv"), lambda row: row["poisson"])}
 
 
 def within(nu, low, high):
-    return [row for row in ROWS[nu] if low * (1 - 1e-9) <= row["speed[c]"] < high]
+    return [row for row in ROWS[nu] if low * (1 - 1e-9) <= row["speed"] < high]
 
 
 def over_speed(row, name="lost_fraction"):
-    return row[name] / row["speed[c]"]
+    return row[name] / row["speed"]
 
 
 def mean(rows, value):
     """Mean over v^(-1/5), in which the wave is even."""
-    steps = [(a["speed[c]"] ** -0.2 - b["speed[c]"] ** -0.2, a, b) for a, b in itertools.pairwise(rows)]
+    steps = [(a["speed"] ** -0.2 - b["speed"] ** -0.2, a, b) for a, b in itertools.pairwise(rows)]
     return sum(step * 0.5 * (value(a) + value(b)) for step, a, b in steps) / sum(step for step, _, _ in steps)
 
 
@@ -51,26 +37,20 @@ def turning_points(rows):
     loss = [row["lost_fraction"] for row in rows]
     found = [i for i in range(1, len(rows) - 1) if (loss[i] - loss[i - 1]) * (loss[i + 1] - loss[i]) < 0]
     heights = [abs(loss[i] - loss[j]) / rows[i]["lost_fraction_error"] for j, i in itertools.pairwise(found)]
-    return [rows[i]["speed[c]"] for i in found], min(heights)
+    return [rows[i]["speed"] for i in found], min(heights)
 
 
 def deviations(nu, low, name="quasistatic_lost_fraction"):
     """Root mean square and maximum of the relative deviation of an estimate in a decade, in per cent."""
-    ratios = [row[name] / row["lost_fraction"] - 1 for row in within(nu, low, 10 * low) if row[name] == row[name]]
+    ratios = [row[name] / row["lost_fraction"] - 1 for row in within(nu, low, 10 * low) if row[name] != ""]
     return 100 * math.sqrt(sum(x * x for x in ratios) / len(ratios)), 100 * max(map(abs, ratios))
 
 
 def digits(value, error):
     """0.00278(2)·10⁻⁷, the error in units of the last digits."""
     exponent = math.floor(math.log10(value)) if value < 0.01 else 0
-    error, value = error / 10.0**exponent, value / 10.0**exponent
-    places = 1 - math.floor(math.log10(error))
-    power = f"·10⁻{DIGITS[-exponent]}" if exponent else ""
-    return f"{value:.{places}f}({error * 10**places:.0f}){power}"
-
-
-def line(*cells):
-    return f"| {' | '.join(map(str, cells))} |"
+    power = f"·10{str(exponent).translate(SUPERSCRIPTS)}" if exponent else ""
+    return with_error(value / 10.0**exponent, error / 10.0**exponent) + power
 
 
 def waves():
@@ -88,7 +68,7 @@ def waves():
 
 
 def decade(low):
-    return f"10⁻{DIGITS[-round(math.log10(low))]}"
+    return f"10{str(round(math.log10(low))).translate(SUPERSCRIPTS)}"
 
 
 def agreement():
@@ -115,11 +95,11 @@ def phases():
 
 
 def test_all_values_are_converged_and_their_bars_small_beside_the_wave():
-    text = (RESULTS / "spheres.csv").read_text(encoding="utf-8")
-    assert tuple(ROWS) == POISSON and "false" not in text and text.count("true\n") == sum(map(len, ROWS.values()))
+    assert tuple(ROWS) == POISSON
+    assert all(row["converged"] == "true" for rows in ROWS.values() for row in rows)
     assert f"{sum(map(len, ROWS.values()))} impacts" in PAGE
     for rows in ROWS.values():
-        assert rows[0]["speed[c]"] == 1e-6 and rows[-1]["speed[c]"] == 0.5
+        assert rows[0]["speed"] == 1e-6 and rows[-1]["speed"] == 0.5
         assert max(row["lost_fraction_error"] / row["lost_fraction"] for row in rows) < 1.05e-3
 
 
@@ -150,42 +130,38 @@ def test_estimate_is_within_its_own_error_below_a_hundredth():
             error = row["quasistatic_error"] + row["lost_fraction_error"]
             assert abs(row["quasistatic_lost_fraction"] - row["lost_fraction"]) < error
     ends = ", ".join(f"{deviations(0.3, low, 'lost_fraction_of_ends')[0]:.1f}" for low in DECADES)
-    assert f"{ends} %" in " ".join(PAGE.split())
+    assert f"{ends} %" in WORDS
 
 
 def test_disk_beside_the_sphere():
-    disk = {row["speed[c]"]: row for row in table("restitution.csv") if row["poisson"] == 0.33}
+    disk = {row["speed"]: row for row in table("docs/results/restitution.csv") if row["poisson"] == 0.33}
     sphere = ROWS[0.3][0]
-    text = " ".join(PAGE.split())
     for row in (disk[1e-6], sphere):
-        assert f"{row['contact_time[R/c]']:.1f} R/c" in text
-    assert f"still loses {100 * disk[1e-6]['lost_fraction']:.2f} %" in text
+        assert f"{row['contact_time']:.1f} R/c" in WORDS
+    assert f"still loses {100 * disk[1e-6]['lost_fraction']:.2f} %" in WORDS
     factor = round(disk[1e-6]["lost_fraction"] / sphere["lost_fraction"], -3)
-    assert f"a factor of {factor:,.0f}".replace(",", " ") in text
+    assert f"a factor of {factor:,.0f}".replace(",", " ") in WORDS
 
 
-def test_values_are_those_of_the_command():
-    speeds = ("1e-6", "1e-5", "1e-4", "0.001", "0.003", "0.01", "0.03", "0.1", "0.2", "0.3", "0.5")
-    command = [os.environ["STOSS"], "restitution", "--body", "sphere", "--absolute", "0", "--format", "csv", "--quiet"]
-    command += ["--poisson", ",".join(f"{nu:g}" for nu in POISSON), "--speed", ",".join(speeds)]
-    output = subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines()
-    found = list(csv.DictReader(text for text in output if not text.startswith("#")))
+VALUES = ("1e-6", "1e-5", "1e-4", "0.001", "0.003", "0.01", "0.03", "0.1", "0.2", "0.3", "0.5")
+
+
+@pytest.mark.parametrize("speed", sampled(VALUES))
+def test_values_are_those_of_the_command(speed):
+    poisson = ",".join(f"{nu:g}" for nu in POISSON)
+    found = command(f"restitution --body sphere --absolute 0 --quiet --poisson {poisson} --speed {speed}")
+    label = decade(float(speed)) if speed.startswith("1e") else speed
     for name in ("restitution", "lost_fraction"):
-        for k, speed in enumerate(speeds):
-            row = found[k :: len(speeds)]
-            cells = [digits(float(each[name]), float(each[f"{name}_error"])) for each in row]
-            label = decade(float(speed)) if speed.startswith("1e") else speed
-            assert line(label, *cells) in PAGE.splitlines()
+        assert line(label, *(digits(row[name], row[f"{name}_error"]) for row in found)) in PAGE.splitlines()
     for each in found:
-        same = [row for row in ROWS[float(each["poisson"])] if row["speed[c]"] == float(each["speed[c]"])]
-        assert all(row["lost_fraction"] == pytest.approx(float(each["lost_fraction"]), rel=1e-5) for row in same)
+        same = [row for row in ROWS[each["poisson"]] if row["speed"] == each["speed"]]
+        assert all(row["lost_fraction"] == pytest.approx(each["lost_fraction"], rel=1e-5) for row in same)
 
 
 def test_rayleigh_spoke_of_the_fundamental_mode():
-    text = " ".join(PAGE.split())
     factors = [rows[0]["mean_loss_factor_of_quadrupole"] for rows in ROWS.values()]
     ends = f"alone absorbs {min(factors):.3f} to {max(factors):.3f} v"
-    assert ends in text and f"{25 * min(factors):.1f} to {25 * max(factors):.1f} times as much" in text
+    assert ends in WORDS and f"{25 * min(factors):.1f} to {25 * max(factors):.1f} times as much" in WORDS
     whole = [rows[0]["mean_loss_factor"] for rows in ROWS.values()]
-    assert f"(c = {min(whole):.2f} to {max(whole):.2f})" in text
+    assert f"(c = {min(whole):.2f} to {max(whole):.2f})" in WORDS
     assert (round(25 * min(whole)), round(25 * max(whole))) == (4, 8)

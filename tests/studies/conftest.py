@@ -4,7 +4,7 @@ import csv
 
 import pytest
 
-from study_runs import ROOT, run, states
+from study_runs import run, states
 
 
 @pytest.fixture(scope="session")
@@ -28,14 +28,3 @@ def study(tmp_path_factory):
 
     read.folder, read.states = folder, states(process)
     return read
-
-
-@pytest.fixture(scope="session")
-def hard_wall():
-    """Converged 1 − ε² by (ν, v), with its uncertainty, from tests/data."""
-    with open(ROOT / "tests/data/restitution_hard_wall.csv", encoding="utf-8") as stream:
-        rows = list(csv.DictReader(line for line in stream if not line.startswith("#")))
-    return {
-        (float(row["poisson"]), float(row["speed"])): (float(row["lost_fraction"]), float(row["uncertainty"]))
-        for row in rows
-    }
