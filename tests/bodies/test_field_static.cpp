@@ -10,7 +10,6 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/field.hpp"
-#include "stoss/bodies/disk/modes.hpp"
 #include "stoss/contact/grid.hpp"
 #include "support/body_tools.hpp"
 #include "support/field_tools.hpp"
@@ -94,38 +93,6 @@ TEST_P(StaticFieldUnderForces, IsTheClosedSolutionOfAnAcceleratedDisk) {
   }
 }
 
-TEST_P(StaticFieldUnderForces, AcceleratesEveryPartOfTheDiskAlike) {
-  const std::vector<double> force = several();
-  const double total = std::accumulate(force.begin(), force.end(), 0.0);  // and the acceleration, as m = π
-  const PolarGrid circles{{0.1, 0.5, 0.9, 1.0}, test::whole_turn(1024)};
-  const Field field = at_rest(force, circles);
-  std::size_t k = 0;
-  for (const double r : circles.radius) {
-    double pull = 0.0;
-    for (const double phi : circles.angle) {
-      pull += (field.stress_rr[k] * std::cos(phi) - field.stress_rp[k] * std::sin(phi)) * r * 2.0 * pi / 1024.0;
-      ++k;
-    }
-    EXPECT_NEAR(pull, -pi * r * r * total, 1e-12 * total) << "r = " << r;
-  }
-  // The far half of the disk of radius ρ: its cut along x = 0, where σ_xx = σ_φφ, and its arc.
-  const test::RadialRule rule;
-  const double radius = 0.9;
-  PolarGrid cut{{}, {0.5 * pi}}, arc{{radius}, {}};
-  for (const double t : rule.radius) {
-    cut.radius.push_back(radius * t);
-    arc.angle.push_back(0.5 * pi * (1.0 + t));
-  }
-  const Field on_cut = at_rest(force, cut), on_arc = at_rest(force, arc);
-  double pull = 0.0;
-  for (std::size_t i = 0; i < rule.weight.size(); ++i) {
-    const double phi = arc.angle[i];
-    const double traction = on_arc.stress_rr[i] * std::cos(phi) - on_arc.stress_rp[i] * std::sin(phi);
-    pull += 2.0 * radius * rule.weight[i] * (on_cut.stress_pp[i] + 0.5 * pi * traction);
-  }
-  EXPECT_NEAR(pull, -0.5 * pi * radius * radius * total, 1e-12 * total);
-}
-
 TEST_P(StaticFieldUnderForces, KeepsTheCentreOfMass) {
   const std::vector<double> force = several();
   const test::RadialRule rule;
@@ -140,32 +107,6 @@ TEST_P(StaticFieldUnderForces, KeepsTheCentreOfMass) {
     }
   }
   EXPECT_NEAR(mean, 0.0, 1e-13 * std::accumulate(force.begin(), force.end(), 0.0));
-}
-
-TEST_P(StaticFieldUnderForces, HasTheKeptModesItsLoadsExcite) {
-  // With their coordinates 0 the static answer of the kept modes is taken away: what is left is orthogonal to them.
-  const std::vector<double> force = several();
-  const test::RadialRule rule;
-  const PolarGrid points{rule.radius, test::whole_turn(512)};
-  const DiskField disk_field(poisson, body, contact.points, points);
-  const Field field = disk_field.at(std::vector<double>(mode_count(body), 0.0), force);
-  for (const ModeGroup& group : body.groups) {
-    for (const std::size_t l : {std::size_t{0}, group.omega.size() - 1}) {
-      const Mode mode{group.order, static_cast<int>(l), group.omega[l], group.upper[l] + group.lower[l],
-                      group.upper[l] - group.lower[l]};
-      const std::vector<Displacement> shape = displacement(poisson, mode, rule.radius);
-      double product = 0.0;
-      for (std::size_t i = 0; i < rule.radius.size(); ++i) {
-        for (std::size_t a = 0; a < points.angle.size(); ++a) {
-          const std::size_t k = i * points.angle.size() + a;
-          product += rule.weight[i] * rule.radius[i] / 512.0 *
-                     (field.radial[k] * shape[i].radial * std::cos(mode.order * points.angle[a]) +
-                      field.tangential[k] * shape[i].tangential * std::sin(mode.order * points.angle[a]));
-        }
-      }
-      EXPECT_NEAR(product, 0.0, 1e-12 * 64.0) << "order " << mode.order << ", omega " << mode.omega;
-    }
-  }
 }
 
 TEST_P(StaticFieldUnderForces, DoesNotDependOnTheCutoff) {

@@ -171,17 +171,12 @@ TEST(HalfSpace, ResidualsArePositiveDefinite) {
 TEST(HalfSpace, RefusesWhatItCannotBe) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   for (const double poisson : {0.5, -1.0, nan, inf}) {
-    EXPECT_THROW((void)stoss::half_space(HalfSpace{poisson}), InvalidInput);
     EXPECT_THROW((void)wave_speeds(Contour::ball, poisson), InvalidInput);
   }
   for (const double poisson : {0.996, -0.96, nan, inf}) {
-    EXPECT_THROW((void)stoss::half_plane(HalfPlane{poisson}), InvalidInput);
     EXPECT_THROW((void)wave_speeds(Contour::cylinder, poisson), InvalidInput);
   }
   for (const double bad : {0.0, -1.0, nan, inf}) {
-    EXPECT_THROW((void)stoss::half_space(HalfSpace{0.3, bad}), InvalidInput);
-    EXPECT_THROW((void)stoss::half_space(HalfSpace{0.3, 1.0, bad}), InvalidInput);
-    EXPECT_THROW((void)stoss::half_plane(HalfPlane{0.3, bad}), InvalidInput);
     EXPECT_THROW((void)stoss::half_space(HalfSpace{0.3}, bad, 10.0), InvalidInput);
     EXPECT_THROW((void)stoss::half_space(HalfSpace{0.3}, 10.0, bad), InvalidInput);
   }

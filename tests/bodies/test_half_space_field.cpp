@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <ostream>
@@ -48,39 +47,6 @@ class FieldBelow : public testing::TestWithParam<FieldSolid> {
   const Body body = body_of(solid, 5.0, 4.0);
   const ContactPoints contact = rings(24, 0.3);
   const std::vector<double> no_force = std::vector<double>(contact.count, 0.0);
-
-  /// Of one wave by itself.
-  [[nodiscard]] std::vector<double> only(std::size_t k) const {
-    std::vector<double> coordinate(mode_count(body), 0.0);
-    coordinate[k] = 1.0;
-    return coordinate;
-  }
-};
-
-/// Derivatives of a component at the middle of a 9 × 9 stencil.
-struct Derivatives {
-  double value, r, z, rr, rz, zz;
-
-  Derivatives(const std::vector<double>& u, double h) : value(u[40]) {
-    std::vector<double> along(9), down(9);
-    for (std::size_t i = 0; i < 9; ++i) {
-      along[i] = test::derivative(u, 9 * i, 1, h);
-      down[i] = test::derivative(u, i, 9, h);
-    }
-    r = along[4];
-    z = down[4];
-    rz = test::derivative(along, 0, 1, h);
-    rr = second(u, 36, 1, h);
-    zz = second(u, 4, 9, h);
-  }
-
-  static double second(const std::vector<double>& u, std::size_t first, std::size_t stride, double h) {
-    constexpr std::array<double, 9> weights{-1.0 / 560.0, 8.0 / 315.0, -0.2,        1.6,         -205.0 / 72.0,
-                                            1.6,          -0.2,        8.0 / 315.0, -1.0 / 560.0};
-    double sum = 0.0;
-    for (std::size_t i = 0; i < 9; ++i) sum += weights[i] * u[first + i * stride];
-    return sum / (h * h);
-  }
 };
 
 TEST_P(FieldBelow, EachWaveObeysNewton) {
@@ -93,8 +59,8 @@ TEST_P(FieldBelow, EachWaveObeysNewton) {
   for (const ModeGroup& group : body.groups) {
     for (const double omega : group.omega) {
       if (k++ % 7 != 0) continue;
-      const Field at = field.at(only(k - 1), no_force);
-      const Derivatives u(at.lateral, h), w(at.normal, h);
+      const Field at = field.at(test::only(body, k - 1), no_force);
+      const test::Derivatives u(at.lateral, h, h), w(at.normal, h, h);
       const double gradient_r = u.rr + (u.r - u.value * round) * round + w.rz;
       const double gradient_z = u.rz + u.z * round + w.zz;
       const double rotation_r = w.rz - u.zz, rotation_z = u.rz - w.rr + (u.z - w.r) * round;
@@ -111,16 +77,15 @@ TEST_P(FieldBelow, EachWaveLeavesTheSurfaceFreeOfShearAndMovesItAsTheModes) {
   constexpr double h = 0.002;
   std::vector<double> below;  // Taylor's series from one side
   for (int i = 0; i < 7; ++i) below.push_back(i * h);
-  constexpr std::array<double, 7> weights{-49.0 / 20.0, 6.0, -7.5, 20.0 / 3.0, -3.75, 1.2, -1.0 / 6.0};
   const std::vector<double> across = test::stencil(0.6, h);
   const HalfSpaceField field(solid.poisson, body, contact, {across, below});
   std::size_t k = 0;
   for (const ModeGroup& group : body.groups) {
     for (std::size_t l = 0; l < group.omega.size(); ++l) {
       if (k++ % 5 != 0) continue;
-      const Field at = field.at(only(k - 1), no_force);
+      const Field at = field.at(test::only(body, k - 1), no_force);
       double slope = 0.0;
-      for (std::size_t i = 0; i < weights.size(); ++i) slope += weights[i] * at.lateral[9 * i + 4] / h;
+      for (std::size_t i = 0; i < 7; ++i) slope += test::one_sided_weights[i] * at.lateral[9 * i + 4] / h;
       const double turn = test::derivative(at.normal, 0, 1, h);
       EXPECT_NEAR(slope + turn, 0.0, 1e-7 * group.upper[l] * (1.0 + group.wave_number)) << group.omega[l];
       const double surface = -group.upper[l] * its.shape(group.wave_number * 0.6);
@@ -130,29 +95,9 @@ TEST_P(FieldBelow, EachWaveLeavesTheSurfaceFreeOfShearAndMovesItAsTheModes) {
 }
 
 TEST_P(FieldBelow, SurfaceGivesWayAsTheBodySays) {
-  // Wherever the modes are: their own displacement of the contact points, and the residual compliance.
-  std::vector<double> distance, coordinate, force;
-  for (std::size_t i = 0; i < contact.count; ++i) {
-    distance.push_back(std::sin(contact.angle(i)));
-    force.push_back(1e-3 * std::sin(0.1 * static_cast<double>(i) + 0.2));
-  }
-  for (std::size_t k = 0; k < mode_count(body); ++k) coordinate.push_back(1e-3 * std::sin(static_cast<double>(k)));
-  const Field at = HalfSpaceField(solid.poisson, body, contact, {distance, {0.0}}).at(coordinate, force);
-  const Surface surface = body.surface(contact);
-  const std::vector<double> compliance = body.residual_compliance(contact, {});
-  std::vector<double> expected(contact.count, 0.0);
-  double greatest = 0.0;
-  for (std::size_t i = 0; i < contact.count; ++i) {
-    std::size_t k = 0;
-    for (const ModeGroup& group : body.groups) {
-      const double shape = surface.shape[group.upper_row * contact.count + i];
-      for (const double amplitude : group.upper) expected[i] -= amplitude * shape * coordinate[k++];
-    }
-    for (std::size_t j = 0; j < contact.count; ++j) expected[i] += compliance[i * contact.count + j] * force[j];
-    greatest = std::max(greatest, std::abs(expected[i]));
-  }
-  // Each pair of contact points has its own highest wave number, the field only one.
-  for (std::size_t i = 0; i < contact.count; ++i) EXPECT_NEAR(at.normal[i], expected[i], 2e-3 * greatest) << i;
+  test::expect_surface_gives_way(body, contact, [&](const auto& distance, const auto& coordinate, const auto& force) {
+    return HalfSpaceField(solid.poisson, body, contact, {distance, {0.0}}).at(coordinate, force);
+  });
 }
 
 INSTANTIATE_TEST_SUITE_P(HalfSpace, FieldBelow,

@@ -1,11 +1,9 @@
 // Displacement fields of the modes: orthonormal (the paper's appendix: the operator is hermitian for a free edge),
-// equal to (C, S) at the edge, free of traction there, finite at the centre.
+// equal to (C, S) at the edge, finite at the centre.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/special_functions/bessel.hpp>
 #include <cmath>
 #include <cstddef>
 #include <tuple>
@@ -86,29 +84,6 @@ TEST_P(ModeFields, EndInTheEdgeAmplitudes) {
   }
 }
 
-TEST_P(ModeFields, LeaveTheEdgeFreeOfTraction) {
-  // Derivative at r = 1 from nine points inside, exact for polynomials of degree 8.
-  constexpr std::array<double, 9> weights{761.0 / 280.0, -8.0,       14.0,       -56.0 / 3.0, 35.0 / 2.0,
-                                          -56.0 / 5.0,   14.0 / 3.0, -8.0 / 7.0, 1.0 / 8.0};
-  for (const Mode& mode : modes) {
-    const double scale =
-        (mode.omega * std::sqrt(2.0 * (1.0 + poisson)) + order) * std::max(mode.radial, std::abs(mode.tangential));
-    const double h = 0.05 / (mode.omega * std::sqrt(2.0 * (1.0 + poisson)) + order);
-    std::vector<double> radii;
-    for (std::size_t i = 0; i < weights.size(); ++i) radii.push_back(1.0 - static_cast<double>(i) * h);
-    const auto field = displacement(poisson, mode, radii);
-    double radial_slope = 0.0, tangential_slope = 0.0;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-      radial_slope += weights[i] * field[i].radial / h;
-      tangential_slope += weights[i] * field[i].tangential / h;
-    }
-    const auto [radial, tangential] = field.front();
-    // σ_rr ∝ u_r′ + ν(u_r + n u_φ) and σ_rφ ∝ u_φ′ − u_φ − n u_r (paper eqs. (15) and (16), strain and Hooke's law).
-    EXPECT_NEAR(radial_slope + poisson * (radial + order * tangential), 0.0, 1e-8 * scale) << mode.omega;
-    EXPECT_NEAR(tangential_slope - tangential - order * radial, 0.0, 1e-8 * scale) << mode.omega;
-  }
-}
-
 TEST_P(ModeFields, VanishAtTheCentreUnlessTheCentreMoves) {
   for (const Mode& mode : modes) {
     const Displacement centre = displacement(poisson, mode, {0.0}).front();
@@ -124,18 +99,6 @@ TEST_P(ModeFields, VanishAtTheCentreUnlessTheCentreMoves) {
 INSTANTIATE_TEST_SUITE_P(PoissonAndOrder, ModeFields,
                          ::testing::Combine(::testing::Values(-0.9, -0.5, 0.0, 0.33, 0.9, 0.99),
                                             ::testing::Values(0, 1, 2, 5, 20, 60)));
-
-TEST(ModeField, OfOrderZeroIsABesselFunction) {
-  const double poisson = 0.33;
-  for (const Mode& mode : modes_of_order(poisson, 25.0, 0)) {
-    const double kappa = mode.omega * std::sqrt(1.0 - poisson * poisson);
-    const auto field = displacement(poisson, mode, {0.25, 0.6});
-    const double scale = mode.radial / boost::math::cyl_bessel_j(1, kappa);
-    EXPECT_NEAR(field[0].radial, scale * boost::math::cyl_bessel_j(1, 0.25 * kappa), 1e-11);
-    EXPECT_NEAR(field[1].radial, scale * boost::math::cyl_bessel_j(1, 0.6 * kappa), 1e-11);
-    EXPECT_EQ(field[0].tangential, 0.0);
-  }
-}
 
 TEST(ModeField, RefusesBadInput) {
   const Mode mode = bodies::disk::modes(0.33, 5.0).front();

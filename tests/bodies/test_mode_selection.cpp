@@ -123,26 +123,5 @@ TEST(ModeSelection, IsAnotherBodyToLookAt) {
   test::expect_refusal([&] { (void)motion(contact(with_modes(body, last), soft), result, {1.0}); }, {"body"});
 }
 
-TEST(ModeEnergies, AreThoseOfTheLedgerAndOfTheMotion) {
-  const Body body = disk(0.33, 12.5);
-  const Impact result = impact(body, soft, speed);
-  const double initial = 0.5 * body.mass * speed * speed;
-  const std::vector<double> after = mode_energies(contact(body, soft), result.final_state);
-  ASSERT_EQ(after.size(), result.energy.modes.size());
-  for (std::size_t k = 0; k < after.size(); ++k) {
-    EXPECT_NEAR(after[k] / initial, result.energy.modes[k].after, 1e-12);
-  }
-  double vibration = 0.0;
-  const ImpactObserver observer = [&](const Snapshot& now) {
-    if (now.time <= 3.0) vibration = now.vibration;
-  };
-  (void)impact(body, soft, speed, {}, {observer});
-  const std::vector<Frame> frames = motion(contact(body, soft), result, {3.0 - 0.5 * result.resolution.step});
-  double sum = 0.0;
-  for (const double energy : mode_energies(contact(body, soft), frames[0].state)) sum += energy / initial;
-  EXPECT_NEAR(sum, vibration, 1e-10);
-  test::expect_refusal([&] { (void)mode_energies(contact(body, soft), {}); }, {"state"});
-}
-
 }  // namespace
 }  // namespace stoss

@@ -6,12 +6,12 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <map>
-#include <string>
 #include <vector>
 
 #include "stoss/bodies/disk/modes.hpp"
 #include "support/csv.hpp"
 #include "support/eigenvalue_equation.hpp"
+#include "support/mode_tables.hpp"
 
 namespace stoss {
 using namespace bodies::disk;
@@ -53,40 +53,8 @@ TEST(ModeValues, AgreeWithTheReferenceToItsDigits) {
 }
 
 TEST(ModeValues, AgreeWithMpmathInEveryWindow) {
-  struct Window {
-    double poisson;
-    int order;
-    double low, high;
-    bool operator<(const Window& other) const {
-      return std::tie(poisson, order, low, high) < std::tie(other.poisson, other.order, other.low, other.high);
-    }
-  };
-  std::map<Window, std::vector<Mode>> expected;
-  for (const auto& row : test::read_csv("modes_mpmath.csv")) {
-    expected[{row.number("poisson"), row.integer("n"), row.number("window_low"), row.number("window_high")}].push_back(
-        {row.integer("n"), 0, row.number("omega"), row.number("C"), row.number("S")});
-  }
-  std::map<double, std::vector<Mode>> modes;
-  std::size_t compared = 0;
-  for (const auto& [window, reference] : expected) {
-    auto& all = modes[window.poisson];
-    if (all.empty()) all = bodies::disk::modes(window.poisson, 400.0);
-    std::vector<Mode> found;
-    for (const Mode& mode : all) {
-      if (mode.order == window.order && mode.omega > window.low && mode.omega < window.high) found.push_back(mode);
-    }
-    SCOPED_TRACE("nu = " + std::to_string(window.poisson) + ", n = " + std::to_string(window.order) + ", omega from " +
-                 std::to_string(window.low) + " to " + std::to_string(window.high));
-    ASSERT_EQ(found.size(), reference.size());
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      const double amplitude = std::max(std::abs(reference[i].radial), std::abs(reference[i].tangential));
-      EXPECT_NEAR(found[i].omega / reference[i].omega, 1.0, 1e-12);
-      EXPECT_NEAR(found[i].radial, reference[i].radial, 1e-10 * amplitude) << "omega " << found[i].omega;
-      EXPECT_NEAR(found[i].tangential, reference[i].tangential, 1e-10 * amplitude) << "omega " << found[i].omega;
-      ++compared;
-    }
-  }
-  EXPECT_GE(compared, 150U);
+  const auto modes_of = [](double poisson) { return bodies::disk::modes(poisson, 400.0); };
+  EXPECT_GE(test::compare_with_mpmath("modes_mpmath.csv", "C", "S", modes_of, [](int) { return 1.0; }), 150U);
 }
 
 class ModeResidual : public ::testing::TestWithParam<double> {};

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "stoss/impact/impact.hpp"
 #include "support/body_tools.hpp"
 #include "support/refusal.hpp"
+#include "support/runge_kutta.hpp"
 #include "support/toy_bodies.hpp"
 
 namespace stoss {
@@ -66,23 +68,13 @@ INSTANTIATE_TEST_SUITE_P(Walls, RodInOtherUnits, ::testing::ValuesIn(test::every
 
 /// ε of two masses on a spring at an exponential wall by Runge and Kutta, from far away to far away.
 double dumbbell_by_runge_kutta(double mass, double omega, double hardness, double speed) {
-  using Vector = std::vector<double>;  // x, ẋ, Q, Q̇
-  const auto slope = [&](const Vector& y) {
+  const auto slope = [&](const std::array<double, 4>& y) {  // x, ẋ, Q, Q̇
     const double force = hardness * std::exp(hardness * (y[0] + y[2]));
-    return Vector{y[1], -force / mass, y[3], -omega * omega * y[2] - force / mass};
-  };
-  const auto moved = [](const Vector& y, double h, const Vector& k) {
-    Vector result = y;
-    for (std::size_t i = 0; i < y.size(); ++i) result[i] += h * k[i];
-    return result;
+    return std::array{y[1], -force / mass, y[3], -omega * omega * y[2] - force / mass};
   };
   constexpr double h = 2e-4;
-  Vector y{-60.0 / hardness, speed, 0.0, 0.0};
-  for (double t = 0.0; t < 3.0 * 60.0 / (hardness * speed); t += h) {
-    const Vector a = slope(y), b = slope(moved(y, 0.5 * h, a)), c = slope(moved(y, 0.5 * h, b)),
-                 d = slope(moved(y, h, c));
-    for (std::size_t i = 0; i < y.size(); ++i) y[i] += h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]);
-  }
+  std::array y{-60.0 / hardness, speed, 0.0, 0.0};
+  for (double t = 0.0; t < 3.0 * 60.0 / (hardness * speed); t += h) y = test::runge_kutta_step(y, h, slope);
   return -y[1] / speed;
 }
 

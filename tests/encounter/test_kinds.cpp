@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
+#include <vector>
 
 #include "stoss/encounter/encounter.hpp"
 #include "stoss/errors.hpp"
@@ -42,6 +44,27 @@ TEST(Kinds, HaveTheRangesOfTheirMakers) {
       if (!std::isfinite(each.high)) continue;
       EXPECT_TRUE(accepted(with(its, name, each.high))) << its.name << " " << name;
       EXPECT_FALSE(accepted(with(its, name, each.high * (1.0 + 1e-9)))) << its.name << " " << name;
+    }
+  }
+}
+
+// By themselves too, without the table: whoever makes a body by hand has no other.
+TEST(Kinds, HaveMakersThatRefuse) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const Kind& its : kinds()) {
+    if (its.wall || its.from_file) continue;
+    Values usual;
+    for (const Parameter& each : its.parameters) usual[std::string(each.name)] = each.otherwise.value_or(0.25);
+    EXPECT_NO_THROW((void)maker(its.solid(usual))) << its.name;
+    for (const Parameter& each : its.parameters) {
+      std::vector<double> wrong{std::nan(""), infinity, -infinity, -1.5};
+      if (each.name == "poisson") wrong.insert(wrong.end(), {each.low - 1e-9, each.high + 1e-9});
+      if (each.name != "poisson" && each.name != "loss_time") wrong.push_back(0.0);
+      for (const double value : wrong) {
+        Values changed = usual;
+        changed[std::string(each.name)] = value;
+        EXPECT_THROW((void)maker(its.solid(changed)), InvalidInput) << its.name << ' ' << each.name << ' ' << value;
+      }
     }
   }
 }

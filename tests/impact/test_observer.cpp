@@ -185,15 +185,5 @@ TEST(ImpactResult, CarriesItsInputs) {
   EXPECT_EQ(usual.resolution.nodes, fixed_resolution(contact(body, HardWall{}), 0.07).nodes);
 }
 
-TEST(ImpactResult, FlagsWhatIsBeyondSmallStrain) {
-  EXPECT_FALSE(impact(rod(50.0), HardWall{}, 0.09).beyond_small_strain);
-  EXPECT_TRUE(impact(rod(50.0), HardWall{}, 0.11).beyond_small_strain);
-  EXPECT_TRUE(impact(rod(50.0), HardWall{}, 1.0).beyond_small_strain);
-  EXPECT_FALSE(impact(disk(0.33, 12.5), HardWall{}, 0.05).beyond_small_strain);
-  const Impact fast = impact(disk(0.33, 12.5), HardWall{}, 0.6);
-  EXPECT_TRUE(fast.beyond_small_strain);
-  EXPECT_NEAR(fast.energy_error, 0.0, 1e-3);
-}
-
 }  // namespace
 }  // namespace stoss

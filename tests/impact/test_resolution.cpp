@@ -86,16 +86,5 @@ TEST(Resolution, ASlowImpactOnASoftWallIsOneContact) {
   EXPECT_NEAR(slow.restitution, 1.0, 1e-9);
 }
 
-TEST(Resolution, ABodyMayStartFarAway) {
-  const Body body = rod(40.0);
-  const std::vector<double> rest(mode_count(body), 0.0);
-  // Half a step more, so that it touches at the phase at which an impact by itself does.
-  const Impact far =
-      impact(body, HardWall{}, 0.01,
-             {.resolution = {.step = 0.01}, .start = State{-10.5 - 0.5 * 0.01 * 0.01, 0.01, rest, rest}});
-  const Impact near = impact(body, HardWall{}, 0.01, {.resolution = {.step = 0.01}});
-  EXPECT_NEAR(far.restitution, near.restitution, 1e-6);
-}
-
 }  // namespace
 }  // namespace stoss

@@ -8,7 +8,6 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/half_space.hpp"
-#include "stoss/bodies/half_space/field.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/impact/replay.hpp"
@@ -71,18 +70,6 @@ TEST_P(TouchingSurfaces, AreInOnePlace) {
     }
     for (std::size_t i = 0; i < one.size(); ++i) EXPECT_LT(one[i], other[i] + 1e-9 * hit.max_compression);
   }
-}
-
-TEST(TouchingSurface, OfAHalfSpaceIsThatOfItsField) {
-  constexpr double poisson = 0.2;
-  const Contact meeting = contact(sphere(0.3), half_space({.poisson = poisson}), 8.0, 0.05);
-  const Impact hit = impact(meeting, 0.05);
-  const ContactGrid grid = contact_grid(meeting, hit.resolution.half_width, hit.resolution.nodes);
-  const BodyFrame seen = seen_by(meeting, grid, motion(meeting, hit, {0.5 * hit.contact_time}).front(), 1);
-  const std::vector<double> displaced = contact_displacement(seen);
-  const double place = seen.points.radius * std::sin(seen.points.angle(3));
-  const bodies::half_space::HalfSpaceField field(poisson, *seen.body, seen.points, {{place}, {0.0}});
-  EXPECT_NEAR(field.at(seen.coordinate, seen.node_force).normal[0], -displaced[3], 1e-3 * hit.max_compression);
 }
 
 INSTANTIATE_TEST_SUITE_P(

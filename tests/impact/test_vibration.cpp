@@ -168,23 +168,6 @@ TEST(VibratingBodies, ThatAreMirrorImagesAreOneAtAWall) {
   EXPECT_GT(std::abs(one.restitution - impact(wall, 0.05).restitution), 0.02);
 }
 
-TEST(VibratingBodies, MayBeSwapped) {
-  const Disk small{0.33}, large{0.2, 1.5, 2.0, 3.0};
-  const test::DiskUnits unit(small), other(large);
-  const Contact here = test::pair_of(small, large, 12.0), there = test::swapped_pair(small, large, 12.0);
-  const double time = other.time / unit.time, speed = 0.1 * (unit.length / unit.time) / (other.length / other.time);
-  for (const int body : {0, 1}) {
-    const Impact one = impact_of(here, 0.1, {{body, 2, 0, 0.2, 1.0}});
-    const Impact mirrored = impact_of(there, speed, {{1 - body, 2, 0, 0.2, 1.0}},
-                                      {.step = one.resolution.step / time,
-                                       .nodes = one.resolution.nodes,
-                                       .half_width = one.resolution.half_width * unit.length / other.length});
-    // The touch falls on another phase within a step.
-    EXPECT_NEAR(mirrored.restitution, one.restitution, 5e-6);
-    EXPECT_NEAR(mirrored.energy.lost_to_first, one.energy.lost_to_second, 5e-6);
-  }
-}
-
 TEST(VibratingBodies, ConvergeToTheLimitOfFixedImpacts) {
   const Vibration vibration{{0, 2, 0, 0.1, 1.0}, {0, 3, 0, 0.05, 4.0}};
   const RefinableContact ball(sphere(0.3));

@@ -69,19 +69,6 @@ TEST(QuasistaticCompression, InverseComesBack) {
   }
 }
 
-TEST(QuasistaticCompression, RateIsTheLogarithm) {
-  for (const auto law : laws) {
-    const double limit = limit_force(law, 0.33);
-    for (const double share : {1e-12, 1e-4, 0.1, 0.7}) {
-      const double force = share * limit, h = 1e-3 * force;
-      const double rate = (8.0 * (compression(law, 0.33, force + h) - compression(law, 0.33, force - h)) -
-                           (compression(law, 0.33, force + 2.0 * h) - compression(law, 0.33, force - 2.0 * h))) /
-                          (12.0 * h);
-      EXPECT_NEAR(rate, std::log(limit / force), 1e-10);
-    }
-  }
-}
-
 TEST(QuasistaticCompression, EnergyIsTheWorkOfTheForce) {
   boost::math::quadrature::tanh_sinh<double> integrate;
   for (const auto law : laws) {
@@ -99,23 +86,6 @@ TEST(QuasistaticCompression, EnergyIsTheWorkOfTheForce) {
     }
   }
   EXPECT_EQ(compression_energy(CompressionLaw::center, 0.0, 0.0), 0.0);
-}
-
-TEST(QuasistaticCompression, SmallLoadsForgetAllButTheLogarithm) {
-  // Paper: P ≃ δπE/ln(4R/δ) and V ≃ ½δ²πE/ln(4R/δ), with relative errors of order ln ln(1/δ)/ln(1/δ).
-  for (const auto law : laws) {
-    for (const double delta : {1e-4, 1e-8, 1e-16, 1e-32, 1e-64, 1e-128}) {
-      const double lowest = delta / std::log(4.0 / delta);
-      const double order = std::log(std::log(4.0 / delta)) / std::log(4.0 / delta);
-      const double force = compression_force(law, 0.33, delta);
-      EXPECT_NEAR(force / lowest, 1.0, 1.7 * order) << delta;
-      EXPECT_NEAR(compression_energy(law, 0.33, force) / (0.5 * delta * lowest), 1.0, 1.7 * order) << delta;
-    }
-  }
-  // The laws approach one another, and that as slowly.
-  const double force = 1e-200;
-  EXPECT_NEAR(compression(CompressionLaw::diameter, 0.33, force) / compression(CompressionLaw::center, 0.33, force),
-              1.0, 2.0 / std::log(1.0 / force));
 }
 
 TEST(QuasistaticCompression, PrintedLawAgreesByChanceNearPoisson085) {

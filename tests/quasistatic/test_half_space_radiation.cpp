@@ -2,6 +2,7 @@
 // solution.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 #include <limits>
@@ -10,6 +11,7 @@
 #include "quasistatic/point_pulse.hpp"
 #include "stoss/quasistatic/half_space_radiation.hpp"
 #include "support/refusal.hpp"
+#include "support/runge_kutta.hpp"
 
 namespace stoss {
 using namespace quasistatic;
@@ -57,19 +59,14 @@ double loss_with_reaction(double resistance) {
   const auto force = [&](double q, double u) {
     return std::pow(q * q + d * q * u + d * d * (u * u - std::pow(q, 5)), 1.5);
   };
-  double q = 0.0, u = 1.0;
-  constexpr double h = 1e-4;
-  const auto step = [&](double size) {
-    const double k1 = u, l1 = -2.0 * q * force(q, u);
-    const double q2 = q + 0.5 * size * k1, u2 = u + 0.5 * size * l1, k2 = u2, l2 = -2.0 * q2 * force(q2, u2);
-    const double q3 = q + 0.5 * size * k2, u3 = u + 0.5 * size * l2, k3 = u3, l3 = -2.0 * q3 * force(q3, u3);
-    const double q4 = q + size * k3, u4 = u + size * l3, k4 = u4, l4 = -2.0 * q4 * force(q4, u4);
-    q += size / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
-    u += size / 6.0 * (l1 + 2.0 * l2 + 2.0 * l3 + l4);
+  const auto slope = [&](const std::array<double, 2>& its) {  // of q and of the velocity
+    return std::array{its[1], -2.0 * its[0] * force(its[0], its[1])};
   };
-  while (u > 0.0 || q > -2.0 * u * h) step(h);
-  step(-q / u);
-  return 1.0 - u * u;
+  constexpr double h = 1e-4;
+  std::array its{0.0, 1.0};
+  while (its[1] > 0.0 || its[0] > -2.0 * its[1] * h) its = test::runge_kutta_step(its, h, slope);
+  its = test::runge_kutta_step(its, -its[0] / its[1], slope);
+  return 1.0 - its[1] * its[1];
 }
 
 TEST(HalfSpaceRadiation, SecondOrderFollowsFromTimeReversal) {

@@ -32,22 +32,6 @@ TEST(LossyImpact, DiskLosesThePowerOfItsStiffness) {
   }
 }
 
-TEST(LossyImpact, DiskLosesByHistory) {
-  // The same by the trapezium rule over the phases of the history: dt = −dδ̇/F.
-  const double nu = 0.33, speed = 1e-3, loss_time = 0.01;
-  const SlowImpact impact = slow_impact(CompressionLaw::center, nu, speed);
-  constexpr int count = 2000;
-  std::vector<double> phases;
-  for (int i = 0; i < count; ++i) phases.push_back(pi * (i + 0.5) / count);
-  double sum = 0.0;
-  for (const ContactInstant& at : contact_history(impact, phases)) {
-    const double stiffness = 1.0 / std::log(limit_force(CompressionLaw::center, nu) / at.force);
-    sum += at.velocity * at.velocity * stiffness * std::sqrt(speed * speed - at.velocity * at.velocity) / at.force;
-  }
-  const double lost = loss_time * sum * pi / count / (speed * speed);
-  EXPECT_NEAR(viscous_loss(CompressionLaw::center, nu, loss_time, speed) / lost, 1.0, 1e-4);
-}
-
 TEST(LossyImpact, DiskHasItsAsymptotics) {
   for (const double speed : {1e-8, 1e-100}) {
     const SlowImpact impact = slow_impact(CompressionLaw::center, 0.33, speed);

@@ -2,6 +2,7 @@
 // full solution.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 #include <limits>
@@ -16,6 +17,7 @@
 #include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/restitution.hpp"
 #include "support/refusal.hpp"
+#include "support/runge_kutta.hpp"
 
 namespace stoss {
 using namespace quasistatic;
@@ -57,18 +59,16 @@ TEST(PointSlowImpact, IsTheMotionOfTheCentreOfMass) {
   const PointSlowImpact impact = slow_impact(PointLaw::center, nu, speed);
   constexpr int steps = 1000;
   const double h = 0.4 * impact.contact_time / steps;
-  double delta = impact.max_compression, velocity = 0.0;
   const auto force = [&](double at) {
     return compression_force(PointLaw::center, nu, std::min(at, impact.max_compression));
   };
+  std::array motion{impact.max_compression, 0.0};
   for (int i = 0; i < steps; ++i) {
-    const double k1 = -force(delta), l1 = velocity;
-    const double k2 = -force(delta + 0.5 * h * l1), l2 = velocity + 0.5 * h * k1;
-    const double k3 = -force(delta + 0.5 * h * l2), l3 = velocity + 0.5 * h * k2;
-    const double k4 = -force(delta + h * l3), l4 = velocity + h * k3;
-    delta += h / 6.0 * (l1 + 2.0 * l2 + 2.0 * l3 + l4);
-    velocity += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+    motion = test::runge_kutta_step(motion, h, [&](const std::array<double, 2>& its) {
+      return std::array{its[1], -force(its[0])};
+    });
   }
+  const auto [delta, velocity] = motion;
   const double phase = std::acos(velocity / speed);
   const std::vector<ContactInstant> history = contact_history(impact, {0.0, pi - phase, 0.5 * pi, phase, pi});
   const double middle = 0.5 * impact.contact_time;

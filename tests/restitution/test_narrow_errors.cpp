@@ -2,7 +2,6 @@
 // and what far finer runs, or the sphere itself, gave (docs/validation.md).
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <sstream>
@@ -17,30 +16,14 @@
 #include "stoss/restitution/curve.hpp"
 #include "stoss/vibration/ensemble.hpp"
 #include "support/csv.hpp"
+#include "support/judged.hpp"
 #include "support/modal_sphere.hpp"
 
 namespace stoss {
 namespace narrow_errors {
 namespace {
 
-struct Judged {
-  int points = 0, within = 0;
-  std::vector<double> padding;  // estimated over true error
-
-  void add(const Estimate& found, double reference, double uncertainty) {
-    const double off = std::abs(found.value - reference);
-    ++points;
-    within += off <= found.error + uncertainty ? 1 : 0;
-    if (uncertainty <= 0.1 * found.error) padding.push_back(found.error / off);
-  }
-
-  void expect_honest() {
-    EXPECT_GE(within, 0.95 * points);
-    ASSERT_GE(padding.size(), 10U);
-    std::sort(padding.begin(), padding.end());
-    EXPECT_LE(0.5 * (padding[(padding.size() - 1) / 2] + padding[padding.size() / 2]), 10.0);
-  }
-};
+using test::Judged;
 
 Restitution best_of(const RefinableContact& contact, double speed) { return best_restitution(contact, speed, {}); }
 
@@ -84,9 +67,9 @@ TEST(Errors, OfBallsOnPlatesAreNarrow) {
     loss.add(found.lost_fraction, lost, uncertainty);
     if (row.number("rigid_body") == 1.0) of_rigid.add(found.lost_fraction, lost, uncertainty);
   }
-  loss.expect_honest();
-  of_rigid.expect_honest();
-  force.expect_honest();
+  loss.expect_honest(0.95, 10);
+  of_rigid.expect_honest(0.95, 10);
+  force.expect_honest(0.95, 10);
 }
 
 // The error of what takes nearly all of the energy is one of the rebound that is left.
@@ -154,8 +137,8 @@ TEST(Errors, OfBodiesByTheirModesAreNarrow) {
     const bool on_flat = row.text("against") == "half_space" || row.text("against") == "plate";
     if (on_flat) flat.add(found, row.number("lost_fraction"), row.number("uncertainty"));
   }
-  all.expect_honest();
-  flat.expect_honest();
+  all.expect_honest(0.95, 10);
+  flat.expect_honest(0.95, 10);
 }
 
 }  // namespace

@@ -106,18 +106,6 @@ TEST(NeglectedCoupling, OfARigidBodyIsThatOfAWall) {
   EXPECT_TRUE(rules({disk(0.3), rigid(disk(0.3))}, 0.1, {before}).front().unstable);
 }
 
-// It does not depend on what else is asked for.
-TEST(NeglectedCoupling, IsTheSameAmongOthers) {
-  const RefinableContact wall(sphere(0.3));
-  const std::vector<Obliquity> all{{0.01, 0.0, 0.0, 0.3}, {0.02, 0.0, 0.0, 0.1}, {0.0, 0.01, 0.0, 0.1}};
-  const auto together = rules(wall, 0.05, all);
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const Coupling alone = rules(wall, 0.05, {all[k]}).front().neglected;
-    EXPECT_EQ(together[k].neglected.sliding_after, alone.sliding_after);
-    EXPECT_EQ(together[k].neglected.restitution, alone.restitution);
-  }
-}
-
 }  // namespace
 }  // namespace neglected_coupling
 }  // namespace stoss

@@ -28,6 +28,8 @@ void expect_same(const ObliqueRestitution& one, const ObliqueRestitution& other)
   EXPECT_EQ(one.sliding_after.error, other.sliding_after.error);
   EXPECT_EQ(one.spin_after.value, other.spin_after.value);
   EXPECT_EQ(one.friction_loss.value, other.friction_loss.value);
+  EXPECT_EQ(one.neglected.sliding_after, other.neglected.sliding_after);
+  EXPECT_EQ(one.neglected.restitution, other.neglected.restitution);
   EXPECT_EQ(one.steps, other.steps);
 }
 

@@ -9,7 +9,6 @@
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/restitution/oblique.hpp"
-#include "support/refusal.hpp"
 
 namespace stoss {
 namespace oblique_restitution_tests {
@@ -44,16 +43,6 @@ TEST(ObliqueRestitution, TellsOfTheSlipWhereThereWasNone) {
   EXPECT_LE(result.sliding_after.error, 1e-3);
   EXPECT_EQ(result.tangential_restitution.error, std::numeric_limits<double>::infinity());
   EXPECT_NEAR(result.restitution.value, 0.94877, result.restitution.error + 5e-5);
-}
-
-TEST(ObliqueRestitution, IsTheCentralOneWithoutFriction) {
-  const RefinableContact wall(disk(0.33));
-  const ObliqueRestitution result = oblique_restitution(wall, 0.1, {0.1, 0.0, 0.0, 0.0});
-  const Restitution central = restitution(wall, 0.1);
-  EXPECT_EQ(result.restitution.value, central.restitution.value);
-  EXPECT_EQ(result.restitution.error, central.restitution.error);
-  EXPECT_EQ(result.tangential_restitution.value, -1.0);
-  EXPECT_EQ(result.tangential_restitution.error, 0.0);
 }
 
 // Rings of finer runs (ω_c = 45, 96 rings): ε_t = 0.8072, 0.4348 at ψ = κ s/μv = 2, 1.
@@ -98,15 +87,6 @@ TEST(ObliqueRestitution, KnowsHowMuchDirectionsMix) {
   const Contact pair = contact(disk(0.33, 8.0), disk(Disk{0.1, 2.0, 3.0}, 8.0 * 2.0 / std::sqrt(3.0)));
   EXPECT_NEAR(mixing(along(pair)), (0.335 - 0.45 / 3.0) / (1.0 + 1.0 / 3.0), 1e-6);
   EXPECT_EQ(mixing(along(contact(sphere(0.3, 8.0)))), 0.0);
-}
-
-TEST(ObliqueRestitution, RefusesTolerancesOutOfRange) {
-  const RefinableContact wall(disk(0.33));
-  test::expect_refusal(
-      [&] {
-        (void)oblique_restitution(wall, 0.1, {0.1, 0.0, 0.0, 0.3}, {.tolerance = 1e-7});
-      },
-      {"tolerance"});
 }
 
 }  // namespace

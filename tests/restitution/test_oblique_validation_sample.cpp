@@ -11,6 +11,7 @@
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/restitution/oblique.hpp"
 #include "support/csv.hpp"
+#include "support/judged.hpp"
 
 namespace stoss {
 namespace oblique_validation {
@@ -28,35 +29,12 @@ RefinableContact contact_of(const test::CsvRow& row) {
   return {first, disks ? half_plane(HalfPlane{poisson, young}) : half_space(HalfSpace{poisson, young})};
 }
 
-/// How often values lie within their errors, and how much larger these are.
-class Judge {
- public:
-  void add(const Estimate& value, double reference, double uncertainty) {
-    const double difference = std::abs(value.value - reference);
-    EXPECT_LE(difference, 3.0 * value.error + uncertainty);
-    ++points_;
-    if (difference <= value.error + uncertainty) ++within_;
-    if (uncertainty <= 0.1 * value.error) padding_.push_back(value.error / difference);
-  }
-  void expect_honest(double most_padding) {
-    EXPECT_GE(within_, 0.9 * points_);
-    ASSERT_GE(padding_.size(), 5U);
-    const auto middle = padding_.begin() + static_cast<std::ptrdiff_t>(padding_.size() / 2);
-    std::nth_element(padding_.begin(), middle, padding_.end());
-    EXPECT_LE(*middle, most_padding);
-  }
-
- private:
-  int points_ = 0, within_ = 0;
-  std::vector<double> padding_;
-};
-
 TEST(ObliqueValidationSample, HasHonestErrors) {
   constexpr double tolerance = 1e-2;
   constexpr std::size_t every = 4;  // meets all seven kinds of contact
   const std::vector<test::CsvRow> rows = test::read_csv("../../validate/data/reference_oblique.csv");
   ASSERT_GE(rows.size(), 64U);
-  Judge along, normal;
+  test::Judged along, normal;
   for (std::size_t k = 0; k < rows.size(); k += every) {
     const test::CsvRow& row = rows[k];
     SCOPED_TRACE(::testing::Message() << "row " << k);
@@ -65,11 +43,11 @@ TEST(ObliqueValidationSample, HasHonestErrors) {
     const ObliqueRestitution result = oblique_restitution(contact_of(row), speed, before, {.tolerance = tolerance});
     EXPECT_TRUE(result.converged);
     EXPECT_LE(result.sliding_after.error, tolerance * std::max(std::abs(result.sliding), before.friction * speed));
-    along.add(result.sliding_after, row.number("sliding_after"), row.number("sliding_after_uncertainty"));
-    normal.add(result.restitution, row.number("restitution"), row.number("restitution_uncertainty"));
+    along.add(result.sliding_after, row.number("sliding_after"), row.number("sliding_after_uncertainty"), 3.0);
+    normal.add(result.restitution, row.number("restitution"), row.number("restitution_uncertainty"), 3.0);
   }
-  along.expect_honest(10.0);
-  normal.expect_honest(10.0);
+  along.expect_honest(0.9, 5);
+  normal.expect_honest(0.9, 5);
 }
 
 }  // namespace

@@ -84,14 +84,6 @@ TEST(Restitution, RecordsRunsThatCanBeRepeated) {
   }
 }
 
-TEST(Restitution, DoesNotDependOnHowTheBodyIsGiven) {
-  const RefinableContact body(disk(0.5));
-  const Restitution one = restitution(body, 0.1), two = restitution(disk(0.5), 0.1), three = restitution(body, 0.1);
-  EXPECT_EQ(one.lost_fraction.value, two.lost_fraction.value);
-  EXPECT_EQ(one.lost_fraction.error, two.lost_fraction.error);
-  EXPECT_EQ(one.lost_fraction.value, three.lost_fraction.value);
-}
-
 TEST(Restitution, CoversTheWholeRange) {
   for (const double poisson : {-0.95, 0.0, 0.995}) {
     const RefinableContact body{disk(poisson)};

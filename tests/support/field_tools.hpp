@@ -1,5 +1,8 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
@@ -28,6 +31,71 @@ inline double derivative(const std::vector<double>& values, std::size_t first, s
   double sum = 0.0;
   for (std::size_t k = 0; k < 9; ++k) sum += derivative_weights[k] * values[first + k * stride];
   return sum / h;
+}
+
+/// Second derivative from the nine values first, first + stride, … at the points of a stencil.
+inline double second_derivative(const std::vector<double>& values, std::size_t first, std::size_t stride, double h) {
+  constexpr std::array<double, 9> weights{-1.0 / 560.0, 8.0 / 315.0, -0.2,        1.6,         -205.0 / 72.0,
+                                          1.6,          -0.2,        8.0 / 315.0, -1.0 / 560.0};
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 9; ++k) sum += weights[k] * values[first + k * stride];
+  return sum / (h * h);
+}
+
+/// Derivatives of a component at the middle of a 9 × 9 stencil, whose columns are `across` and rows `deep` apart.
+struct Derivatives {
+  double value, r, z, rr, rz, zz;
+
+  Derivatives(const std::vector<double>& u, double across, double deep) : value(u[40]) {
+    std::vector<double> along(9), down(9);
+    for (std::size_t i = 0; i < 9; ++i) {
+      along[i] = derivative(u, 9 * i, 1, across);
+      down[i] = derivative(u, i, 9, deep);
+    }
+    r = along[4];
+    z = down[4];
+    rz = derivative(along, 0, 1, deep);
+    rr = second_derivative(u, 36, 1, across);
+    zz = second_derivative(u, 4, 9, deep);
+  }
+};
+
+/// Weights of f(x + kh)/h, k = 0 … 6, for f'(x), from one side.
+inline constexpr std::array<double, 7> one_sided_weights{-49.0 / 20.0, 6.0, -7.5, 20.0 / 3.0, -3.75, 1.2, -1.0 / 6.0};
+
+/// The coordinates of one mode by itself.
+inline std::vector<double> only(const Body& body, std::size_t mode) {
+  std::vector<double> coordinate(mode_count(body), 0.0);
+  coordinate[mode] = 1.0;
+  return coordinate;
+}
+
+/// The surface of a half-space or plate gives way, inside its field, as the body says: by its modes, wherever they are,
+/// and by its residual compliance. `field` is that at distances on the surface, with coordinates and forces.
+template <typename FieldAt>
+void expect_surface_gives_way(const Body& body, const ContactPoints& contact, const FieldAt& field) {
+  std::vector<double> distance, coordinate, force;
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    distance.push_back(std::sin(contact.angle(i)));
+    force.push_back(1e-3 * std::sin(0.1 * static_cast<double>(i) + 0.2));
+  }
+  for (std::size_t k = 0; k < mode_count(body); ++k) coordinate.push_back(1e-3 * std::sin(static_cast<double>(k)));
+  const auto at = field(distance, coordinate, force);
+  const Surface surface = body.surface(contact);
+  const std::vector<double> compliance = body.residual_compliance(contact, {});
+  std::vector<double> expected(contact.count, 0.0);
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    std::size_t k = 0;
+    for (const ModeGroup& group : body.groups) {
+      const double shape = surface.shape[group.upper_row * contact.count + i];
+      for (const double amplitude : group.upper) expected[i] -= amplitude * shape * coordinate[k++];
+    }
+    for (std::size_t j = 0; j < contact.count; ++j) expected[i] += compliance[i * contact.count + j] * force[j];
+    greatest = std::max(greatest, std::abs(expected[i]));
+  }
+  // Each pair of contact points has its own highest wave number, the field only one.
+  for (std::size_t i = 0; i < contact.count; ++i) EXPECT_NEAR(at.normal[i], expected[i], 2e-3 * greatest) << i;
 }
 
 /// Gauss points and weights of [0, 1] in four panels.

@@ -59,27 +59,6 @@ INSTANTIATE_TEST_SUITE_P(
                          0.1, 0.7, 1.5, 2e-3}),
     [](const testing::TestParamInfo<Case>& each) { return each.param.name; });
 
-TEST(AdaptivePair, OfEqualBodiesIsOneAtAWallAtHalfTheSpeed) {
-  const PairTable table = pair_table(mixture(Disk{.poisson = 0.2}), 0.02, 0.3, 1.0, 1.3, {.error = 1e-3});
-  for (const double v : {0.021, 0.05, 0.11, 0.29}) {
-    const Estimate pair = table(v, 1.0);
-    EXPECT_NEAR(pair.value, restitution(disk(0.2), 0.5 * v).restitution.value, pair.error + 1e-4) << v;
-  }
-}
-
-TEST(AdaptivePair, OfTwoMaterialsMayBeExchanged) {
-  const Disk first{.poisson = 0.33}, second{.poisson = 0.1, .young = 4.0};  // c of the second is 2
-  const PairTable there = pair_table(mixture(first, second), 0.05, 0.2, 0.8, 1.25, {.error = 2e-3});
-  const PairTable back = pair_table(mixture(second, first), 0.025, 0.1, 0.8, 1.25, {.error = 2e-3});
-  EXPECT_FALSE(there.values().alike);
-  for (const double v : {0.06, 0.1, 0.19}) {
-    for (const double r : {0.81, 1.0, 1.2}) {
-      const Estimate a = there(v, r), b = back(0.5 * v, 1.0 / r);
-      EXPECT_NEAR(a.value, b.value, a.error + b.error) << v << ' ' << r;
-    }
-  }
-}
-
 TEST(AdaptivePair, OfOneMaterialHoldsRatiosFromOneOn) {
   const Mixture disks = mixture(Disk{.poisson = 0.33, .radius = 7.0});
   EXPECT_TRUE(disks.alike);

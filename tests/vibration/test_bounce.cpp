@@ -136,16 +136,6 @@ TEST(BounceScale, IsOneOfTheBodyItself) {
   EXPECT_EQ(last(1.0).restitution, last(8.0).restitution);
 }
 
-TEST(Bounce, HasTheSameBitsAgain) {
-  const Contact at_wall = contact(disk(0.33, 12.0));
-  const BounceOptions options{.count = 20, .flight_time = 9.1, .resolution = all_energy_kept};
-  const auto once = bounce(at_wall, 0.2, options), again = bounce(at_wall, 0.2, options);
-  for (std::size_t i = 0; i < once.size(); ++i) {
-    EXPECT_EQ(once[i].restitution, again[i].restitution);
-    EXPECT_EQ(once[i].after.vibration, again[i].after.vibration);
-  }
-}
-
 TEST(Bounce, EndsWhereItsSpeedIsNoneOfAnImpact) {
   const Contact at_wall = contact(disk(0.33, 8.0));
   try {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "numeric/random.hpp"
-#include "rods_at_rest.hpp"
 #include "stoss/errors.hpp"
+#include "support/rods_at_rest.hpp"
 
 namespace stoss {
 namespace {
@@ -99,7 +99,7 @@ TEST(RodChain, CompletelyDampedRodsMeetAsRodsAtRest) {
     RodChainRecord record;
     run(chain, record, 200);
     for (const RodCollision& each : record.collisions) {
-      const double exact = restitution_at_rest(rods[each.pair], rods[(each.pair + 1) % rods.size()]);
+      const double exact = test::restitution_at_rest(rods[each.pair], rods[(each.pair + 1) % rods.size()]);
       EXPECT_NEAR(each.restitution, exact, method == RodMethod::modes ? 4e-3 : 1e-12);
       EXPECT_EQ(each.vibration_before, 0.0);
     }

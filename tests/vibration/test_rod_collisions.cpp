@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "numeric/random.hpp"
-#include "rods_at_rest.hpp"
+#include "support/rods_at_rest.hpp"
 #include "vibration/rod_modes.hpp"
 #include "vibration/rod_waves.hpp"
 
@@ -71,7 +71,7 @@ TEST(RodCollisions, CharacteristicsMeetTheExactFormulasAtRest) {
   const double expected[] = {0.7875, 0.596178, 0.75, 0.710929};
   for (std::size_t k = 0; k < at_rest.size(); ++k) {
     RodWaves waves = fine_waves(at_rest[k]);
-    const double exact = restitution_at_rest(at_rest[k][0], at_rest[k][1]);
+    const double exact = test::restitution_at_rest(at_rest[k][0], at_rest[k][1]);
     EXPECT_NEAR(exact, expected[k], 5e-7);
     EXPECT_NEAR(waves.meet(0, 1, 0.3).restitution, exact, 1e-13);
     const double energy = waves.energy(0) + waves.energy(1);
@@ -81,7 +81,7 @@ TEST(RodCollisions, CharacteristicsMeetTheExactFormulasAtRest) {
 
 TEST(RodCollisions, ModesConvergeToTheExactFormulasAtRest) {
   for (const std::vector<Rod>& rods : at_rest) {
-    const double exact = restitution_at_rest(rods[0], rods[1]);
+    const double exact = test::restitution_at_rest(rods[0], rods[1]);
     RodModes coarse(rods, {.modes = 50}), fine(rods, {.modes = 400});
     EXPECT_NEAR(coarse.meet(0, 1, 0.3).restitution, exact, 3e-3);
     EXPECT_NEAR(fine.meet(0, 1, 0.3).restitution, exact, 4e-4);

@@ -1,16 +1,11 @@
-// Bodies by their modes at a point against friction: their static response along the surface, and a sphere that is
-// given in this way rubs as the sphere.
+// Bodies by their modes at a point against friction: a sphere that is given in this way rubs as the sphere.
 #include <gtest/gtest.h>
 
-#include <boost/math/special_functions/ellint_1.hpp>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <string>
 #include <vector>
 
-#include "bodies/modal/point_modes.hpp"
-#include "bodies/sphere/degree_sums.hpp"
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/modal_body.hpp"
 #include "stoss/bodies/plate.hpp"
@@ -23,72 +18,6 @@
 namespace stoss {
 namespace modal_along {
 namespace {
-
-using bodies::modal::logarithm_share_along;
-using bodies::modal::sphere_constant_along;
-using std::numbers::pi;
-
-constexpr std::size_t rings = 256, near = 32, far = 224;
-
-double plain(double poisson) { return bodies::sphere::softness_along(poisson) / pi; }
-
-/// Mean over two rings of A [1/r − g ln r].
-double ring_response(double poisson, double one, double other, double logarithm) {
-  const double sum = one + other, modulus = 2.0 * std::sqrt(one * other) / sum;
-  const double inverse = 2.0 / (pi * sum) * boost::math::ellint_1(modulus);
-  return plain(poisson) * (inverse - logarithm * std::log(std::max(one, other)));
-}
-
-/// What W of these two rings has beyond the local formula.
-double constant_of(const Body& along, double poisson, double width, double logarithm) {
-  const ContactPoints points{1.0, width / rings, rings};
-  const std::vector<double> w = along.residual_compliance(points, {});
-  const double one = std::sin(points.angle(near)), other = std::sin(points.angle(far));
-  return w[near * rings + far] - ring_response(poisson, one, other, logarithm);
-}
-
-Body along(const Body& body) { return body.along({}).front(); }
-
-// Rings err by about 4e-4 of their response, and G_t by the order of their size.
-TEST(SphereConstantAlong, IsWhatIsLeftOfTheStaticResponse) {
-  for (const double poisson : {-0.3, 0.0, 0.3, 0.45}) {
-    const Body sphere = along(stoss::sphere(Sphere{poisson}, 0.5));
-    const double logarithm = logarithm_share_along(poisson);
-    const auto at = [&](double width) { return constant_of(sphere, poisson, width, logarithm); };
-    // c + a w + b/w through three of them
-    const double wide = at(0.16), middle = at(0.08), narrow = at(0.04);
-    const double b = (wide - middle - 2.0 * (middle - narrow)) / (25.0 - 6.25);
-    const double a = (wide - middle + 6.25 * b) / 0.08;
-    EXPECT_NEAR(wide - 0.16 * a - 6.25 * b, sphere_constant_along(poisson), 3e-3) << poisson;
-  }
-}
-
-ModalBody without_modes(double poisson, double constant, double curvature) {
-  ModalBody body;
-  body.mass = 2.0;
-  body.curvature = curvature;
-  body.poisson = poisson;
-  body.complete_to = 1.0;
-  body.tangent = PointTangent{.mass = 2.0, .compliance = constant};
-  return body;
-}
-
-TEST(ModalBodyAlong, RespondsByTheLocalFormulaAndItsConstant) {
-  for (const double poisson : {0.0, 0.3, 0.45}) {
-    for (const double constant : {-0.5, 0.0, 3.0}) {
-      const Body body = along(modal_body(without_modes(poisson, constant, 1.0))(0.5, {}));
-      for (const double width : {0.08, 0.02}) {
-        const double found = constant_of(body, poisson, width, logarithm_share_along(poisson));
-        EXPECT_LT(std::abs(found - constant), 0.5 * width + 5e-4 / width) << poisson << " " << width;
-      }
-    }
-  }
-}
-
-TEST(ModalBodyAlong, OfAPlaneSurfaceHasNoLogarithm) {
-  const Body body = along(modal_body(without_modes(0.3, 0.7, 0.0))(0.5, {}));
-  EXPECT_NEAR(constant_of(body, 0.3, 0.02, 0.0), 0.7 * std::cbrt(2.0), 0.03);  // in units of its cube
-}
 
 struct Meeting {
   const char* what;

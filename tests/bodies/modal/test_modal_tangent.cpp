@@ -39,10 +39,15 @@ TEST(ModalTangent, SlidesAsARigidBodyThatIsStruckOffItsCentre) {
 TEST(ModalTangent, DoesNotDependOnUnits) {
   const ModalBody own = test::modal_sphere_along(0.3, 12.0);
   const ModalBody steel = in_units(own, 1.0 / 0.01, 1.0 / 210e9, 1.0 / 7850.0);
+  EXPECT_NEAR(steel.mass, own.mass * 7850.0 * 1e-6, 1e-12);
   EXPECT_NEAR(steel.tangent->inertia, 0.4 * steel.mass * 1e-4, 1e-12);
+  EXPECT_NEAR(scales(steel).length, 0.01, 1e-15);
+  EXPECT_NEAR(scales(steel).speed, std::sqrt(210e9 / 7850.0), 1e-9);
   const Obliquity obliquity{3e-4, 2e-4, 0.0, 0.3};
   const ObliqueRestitution one = oblique_restitution(RefinableContact(modal_body(own)), 1e-3, obliquity);
   const ObliqueRestitution other = oblique_restitution(RefinableContact(modal_body(steel)), 1e-3, obliquity);
+  EXPECT_NEAR(one.restitution.value, other.restitution.value, 1e-9 * (1.0 - one.restitution.value));
+  EXPECT_NEAR(one.restitution.error, other.restitution.error, 1e-6 * one.restitution.error);
   EXPECT_NEAR(one.sliding_after.value, other.sliding_after.value, 1e-9 * one.sliding);
   EXPECT_NEAR(one.spin_after.value, other.spin_after.value, 1e-9 * one.sliding);
   EXPECT_NEAR(one.sliding_after.error, other.sliding_after.error, 1e-6 * one.sliding_after.error);

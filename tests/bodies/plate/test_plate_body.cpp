@@ -181,13 +181,7 @@ TEST(PlateBody, IsAHalfSpaceToForcesThatEndBeforeTheEcho) {
 
 TEST(PlateBody, RefusesWhatItCannotBe) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  for (const double poisson : {0.5, -1.0, nan, inf}) EXPECT_THROW((void)plate(Plate{1.0, poisson}), InvalidInput);
-  for (const double poisson : {0.996, -0.96, nan, inf}) EXPECT_THROW((void)strip(Strip{1.0, poisson}), InvalidInput);
   for (const double bad : {0.0, -1.0, nan, inf}) {
-    EXPECT_THROW((void)plate(Plate{bad, 0.3}), InvalidInput);
-    EXPECT_THROW((void)plate(Plate{1.0, 0.3, bad}), InvalidInput);
-    EXPECT_THROW((void)plate(Plate{1.0, 0.3, 1.0, bad}), InvalidInput);
-    EXPECT_THROW((void)strip(Strip{bad, 0.3}), InvalidInput);
     EXPECT_THROW((void)plate(Plate{1.0, 0.3}, bad, 10.0), InvalidInput);
     EXPECT_THROW((void)plate(Plate{1.0, 0.3}, 10.0, bad), InvalidInput);
   }
@@ -195,9 +189,6 @@ TEST(PlateBody, RefusesWhatItCannotBe) {
   EXPECT_THROW((void)plate(Plate{.thickness = 1.0, .poisson = 0.3, .below = {{1.0, 0.5}}}), InvalidInput);
   EXPECT_THROW((void)plate(Plate{.thickness = 1.0, .below = std::vector<Layer>(64)}), InvalidInput);
   EXPECT_NO_THROW((void)plate(Plate{.thickness = 1.0, .poisson = 0.3, .below = {{inf}}}));
-  for (const double bad : {-1.0, nan, inf}) {
-    EXPECT_THROW((void)plate(Plate{.thickness = 1.0, .loss_time = bad}), InvalidInput);
-  }
   EXPECT_THROW((void)plate(Plate{1.0, 0.3}, 1e6, 1e6), InvalidInput);
 }
 

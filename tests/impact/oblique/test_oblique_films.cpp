@@ -108,24 +108,6 @@ TEST_F(ObliqueFilms, OfSlidesAreThoseOfTheImpact) {
   }
 }
 
-// The motion along the normal is that which the observer of the central impact sees.
-TEST_F(ObliqueFilms, HaveTheNormalMotionOfTheCentralImpact) {
-  for (const Contact& each : {ball, plate, contact(sphere(0.3, 6.0), half_space(HalfSpace{0.3}, 6.0, 16.0))}) {
-    const double friction = each.first->contour == Contour::ball ? 0.3 : 0.0;
-    const Seen watched = seen({"", each, 0.05, {0.02, 0.0, 0.0, friction}});
-    std::vector<Snapshot> central;
-    const ImpactObserver observer = [&](const Snapshot& now) { central.push_back(now); };
-    (void)impact(each, 0.05, options_of(each), {observer});
-    ASSERT_EQ(watched.instants.size(), central.size());
-    for (std::size_t i = 0; i < central.size(); ++i) {
-      ASSERT_NEAR(watched.instants[i].time, central[i].time, 1e-14);
-      ASSERT_NEAR(watched.instants[i].center, central[i].center, 1e-14);
-      ASSERT_NEAR(watched.instants[i].velocity, central[i].velocity, 1e-15);
-      ASSERT_NEAR(watched.instants[i].force, central[i].force, 1e-15);
-    }
-  }
-}
-
 // The centre of mass of both stays where it is, and bodies at rest that touch have their radii between them.
 TEST_F(ObliqueFilms, PlaceBothBodies) {
   const Contact pair = contact(sphere(0.3, 12.0), sphere(Sphere{0.3, 2.0, 1.0, 1.0}, 24.0));

@@ -5,7 +5,7 @@
 
 #include "vibration/rod_vibrations.hpp"
 
-namespace stoss {
+namespace stoss::test {
 
 /// ε of two unexcited rods, exactly (docs/theory/pairs.md).
 inline double restitution_at_rest(const Rod& one, const Rod& other) {
@@ -17,4 +17,4 @@ inline double restitution_at_rest(const Rod& one, const Rod& other) {
   return (1.0 + quick.mass / slow.mass) * (1.0 - std::pow(r, whole) * (1.0 - (ratio - whole) * (1.0 - r))) - 1.0;
 }
 
-}  // namespace stoss
+}  // namespace stoss::test
