@@ -15,6 +15,12 @@ namespace {
 
 std::string stored_command_line;
 
+/// Whether the subcommand that was called has this option.
+bool has_option(const CLI::App& app, const std::string& option) {
+  const auto called = app.get_subcommands();
+  return !called.empty() && called.front()->get_option_no_throw(option) != nullptr;
+}
+
 /// The names that may stand where `word` stands.
 std::vector<std::string> candidates(const CLI::App& app) {
   std::vector<std::string> names;
@@ -96,41 +102,27 @@ void refuse_empty_values(CLI::App& app) {
 
 std::string way_to_less_memory(const CLI::App& app) {
   using Way = std::pair<const char*, const char*>;
-  for (const CLI::App* command : app.get_subcommands()) {
-    for (const auto& [option, way] :
-         {Way{"--cutoff", "use a smaller --cutoff"}, Way{"--samples", "use fewer --samples"},
-          Way{"--tolerance", "use a larger --tolerance"}, Way{"--error", "allow a larger --error"}}) {
-      if (command->get_option_no_throw(option) != nullptr) return way;
-    }
+  for (const auto& [option, way] :
+       {Way{"--cutoff", "use a smaller --cutoff"}, Way{"--samples", "use fewer --samples"},
+        Way{"--tolerance", "use a larger --tolerance"}, Way{"--error", "allow a larger --error"}}) {
+    if (has_option(app, option)) return way;
   }
   return {};
 }
 
-std::string without_missing_ways(const CLI::App& app, std::string message) {
-  using Way = std::pair<const char*, std::string_view>;
-  for (const CLI::App* command : app.get_subcommands()) {
-    for (const auto& [option, way] : {Way{"--step", " (use a smaller step)"}, Way{"--step", " (use a larger step)"},
-                                      Way{"--nodes", " (use fewer nodes)"}, Way{"--cutoff", " (raise it)"}}) {
-      if (command->get_option_no_throw(option) == nullptr && message.ends_with(way)) {
-        message.resize(message.size() - way.size());
-      }
-    }
-  }
-  return message;
+std::string message_of(const CLI::App& app, const NotConverged& failure) {
+  if (failure.input().empty() || has_option(app, "--" + option_of(failure.input()))) return failure.what();
+  return failure.failure();
 }
 
-std::string with_options(const CLI::App& app, std::string message) {
-  using Way = std::pair<const char*, std::pair<std::string_view, std::string_view>>;
-  for (const CLI::App* command : app.get_subcommands()) {
-    for (const auto& [option, words] : {Way{"--rigid-body", {"let the first be rigid", " (--rigid-body)"}},
-                                        Way{"--against", {"let the second be rigid", " (--against ...,rigid=1)"}},
-                                        Way{"--against", {"let it be a wall", " (--against wall)"}}}) {
-      const std::size_t at = message.find(words.first);
-      if (at == std::string::npos || command->get_option_no_throw(option) == nullptr) continue;
-      message.insert(at + words.first.size(), words.second);
-    }
-  }
-  return message;
+std::string message_of(const CLI::App& app, const InvalidInput& refusal) {
+  std::string message = refusal.what();
+  const std::string way = refusal.way() == "rigid"           ? "--rigid-body"
+                          : refusal.way() == "against rigid" ? "--against ...,rigid=1"
+                          : refusal.way() == "against"       ? "--against wall"
+                                                             : "";
+  if (way.empty() || !has_option(app, way.substr(0, way.find(' ')))) return message;
+  return message.insert(message.size() - 1, " (" + way + ")");  // behind the hint, which ends the line
 }
 
 std::string unknown_words(const CLI::App& app) {

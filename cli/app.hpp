@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "stoss/encounter/series.hpp"
+#include "stoss/errors.hpp"
 
 namespace stoss::cli {
 
@@ -103,11 +104,11 @@ void refuse_empty_values(CLI::App& app);
 /// How what was asked for takes less memory, by the options that its subcommand has; "" if by none.
 [[nodiscard]] std::string way_to_less_memory(const CLI::App& app);
 
-/// A message of the core without a way out at its end that the subcommand has no option for.
-[[nodiscard]] std::string without_missing_ways(const CLI::App& app, std::string message);
+/// What the core says, without a hint at an input that the subcommand has no option for.
+[[nodiscard]] std::string message_of(const CLI::App& app, const NotConverged& failure);
 
-/// A message of the core with the options that lead to its way out, where the subcommand has them.
-[[nodiscard]] std::string with_options(const CLI::App& app, std::string message);
+/// What the core says, with the option by which its hint is followed, where the subcommand has it.
+[[nodiscard]] std::string message_of(const CLI::App& app, const InvalidInput& refusal);
 
 /// What to say of words that no option or subcommand of `app` has taken; "" if all were taken.
 [[nodiscard]] std::string unknown_words(const CLI::App& app);

@@ -57,9 +57,9 @@ int run(int argc, char** argv) {
     if (text.empty()) text = stoss::shortened(error.what(), 160);
     return complain(usage, text + " (see stoss --help or stoss SUBCOMMAND --help)");
   } catch (const stoss::InvalidInput& error) {
-    return complain(bad_input, stoss::cli::with_options(app, error.what()));
+    return complain(bad_input, stoss::cli::message_of(app, error));
   } catch (const stoss::NotConverged& error) {
-    return complain(not_converged, stoss::cli::without_missing_ways(app, error.what()));
+    return complain(not_converged, stoss::cli::message_of(app, error));
   } catch (const stoss::cli::OutputError& error) {
     // Whoever closed the pipe knows.
     return error.reason() == EPIPE ? input_output : complain(input_output, error.what());

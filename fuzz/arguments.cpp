@@ -29,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       const Encounter encounter = who.encounter();
       fuzz::hold(to_json(encounter_from_json(to_json(encounter))) == to_json(encounter), "written as it was read");
       (void)cli::vibration_of(modes);
-      (void)cli::series_of(Question::restitution, "speed", speed, cli::units_of(encounter));
+      (void)cli::series_of(input(Question::restitution, "speed"), speed, cli::units_of(encounter));
     } catch (const CLI::Error&) {  // of usage
     } catch (const InvalidInput& error) {
       throw InvalidInput::conflict("command", visible(error.what()));  // as the command says it

@@ -6,7 +6,7 @@ namespace stoss {
 
 struct InvalidInput::Parts {
   Kind kind;
-  std::string name, got, allowed, hint;
+  std::string name, got, allowed, hint, way{};
 
   [[nodiscard]] std::string line() const {
     std::string text = name + ": ";
@@ -41,10 +41,29 @@ InvalidInput InvalidInput::within(std::string_view whole) const {
   return InvalidInput(std::make_shared<const Parts>(std::move(parts)));
 }
 
+InvalidInput InvalidInput::with_way(std::string_view input) const {
+  Parts parts = *parts_;
+  parts.way = input;
+  return InvalidInput(std::make_shared<const Parts>(std::move(parts)));
+}
+
 InvalidInput::Kind InvalidInput::kind() const noexcept { return parts_->kind; }
 const std::string& InvalidInput::name() const noexcept { return parts_->name; }
 const std::string& InvalidInput::got() const noexcept { return parts_->got; }
 const std::string& InvalidInput::allowed() const noexcept { return parts_->allowed; }
 const std::string& InvalidInput::hint() const noexcept { return parts_->hint; }
+const std::string& InvalidInput::way() const noexcept { return parts_->way; }
+
+struct NotConverged::Parts {
+  std::string failure, input, hint;
+};
+
+NotConverged::NotConverged(const std::string& failure, const std::string& input, const std::string& hint)
+    : std::runtime_error(hint.empty() ? failure : failure + " (" + hint + ")"),
+      parts_(std::make_shared<const Parts>(Parts{failure, input, hint})) {}
+
+const std::string& NotConverged::failure() const noexcept { return parts_->failure; }
+const std::string& NotConverged::input() const noexcept { return parts_->input; }
+const std::string& NotConverged::hint() const noexcept { return parts_->hint; }
 
 }  // namespace stoss

@@ -28,6 +28,24 @@ TEST(InvalidInput, OfAPartHasTheNameOfTheWholeFirst) {
   EXPECT_STREQ(of_part.what(), "against radius: got -1, allowed above 0");
 }
 
+TEST(InvalidInput, MayNameTheInputByWhichItsHintIsFollowed) {
+  const InvalidInput plain =
+      InvalidInput::out_of_range("young ratio", "1e-4", "0.001 to 1000", "let the first be rigid");
+  EXPECT_EQ(plain.way(), "");
+  EXPECT_EQ(plain.with_way("rigid").way(), "rigid");
+  EXPECT_STREQ(plain.with_way("rigid").what(), plain.what());
+}
+
+TEST(NotConverged, IsOneLineOfItsParts) {
+  static_assert(std::is_nothrow_copy_constructible_v<NotConverged>);
+  const NotConverged failed("impact: 0.1 of the energy is unaccounted for", "step", "use a smaller step");
+  EXPECT_STREQ(failed.what(), "impact: 0.1 of the energy is unaccounted for (use a smaller step)");
+  EXPECT_EQ(failed.failure(), "impact: 0.1 of the energy is unaccounted for");
+  EXPECT_EQ(failed.input(), "step");
+  EXPECT_EQ(failed.hint(), "use a smaller step");
+  EXPECT_STREQ(NotConverged("no end").what(), "no end");
+}
+
 TEST(InvalidInput, IsCopiedWithoutAThrow) {
   static_assert(std::is_nothrow_copy_constructible_v<InvalidInput>);
   const InvalidInput first = InvalidInput::missing("radius", "a number");

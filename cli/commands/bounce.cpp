@@ -30,7 +30,7 @@ struct BounceArguments {
 
 BounceOptions make_options(const BounceArguments& arguments, const Encounter& encounter, const Units& units) {
   const auto own = [&](const char* name, const std::optional<double>& value) {
-    return value ? std::optional(own_value(Question::bounce, name, *value, units)) : std::nullopt;
+    return value ? std::optional(own_value(input(Question::bounce, name), *value, units)) : std::nullopt;
   };
   return {.count = arguments.count,
           .flight_time = own("flight_time", arguments.flight_time),

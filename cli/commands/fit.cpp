@@ -29,7 +29,7 @@ void run(const FitArguments& arguments) {
     throw InvalidInput::out_of_range("body", fmt::format("{}", encounter.first.kind), "sphere",
                                      "laws are those of balls");
   }
-  (void)own_value(Question::fit, "friction", arguments.friction, units_of(encounter));
+  (void)own_value(input(Question::fit, "friction"), arguments.friction, units_of(encounter));
   const auto [slowest, fastest] = arguments.approach.ends(units_of(encounter)).typed;
   std::vector<std::string> words{"fit",
                                  "--law=" + arguments.law,

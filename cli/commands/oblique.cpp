@@ -71,14 +71,16 @@ Row Collisions::key(std::size_t row) const {
 Collisions make_collisions(const ObliqueArguments& arguments) {
   Collisions made{.encounter = arguments.who.encounter()};
   refuse_soft(made.encounter);
-  constexpr auto question = Question::oblique;
   const Units& units = made.units;
   const std::vector<double> speeds = arguments.approach.series(units);
   const bool by_angle = arguments.has_angles();
-  const std::vector<double> along = by_angle ? series_of(question, "angle", arguments.angles, units)
-                                             : series_of(question, "tangential", arguments.tangentials, units);
-  const std::vector<double> spins = series_of(question, "spin", arguments.spins, units);
-  const std::vector<double> second_spins = series_of(question, "second_spin", arguments.second_spins, units);
+  const auto series = [&](const char* name, const std::string& text) {
+    return series_of(input(Question::oblique, name), text, units);
+  };
+  const std::vector<double> along =
+      by_angle ? series("angle", arguments.angles) : series("tangential", arguments.tangentials);
+  const std::vector<double> spins = series("spin", arguments.spins);
+  const std::vector<double> second_spins = series("second_spin", arguments.second_spins);
   const double size = static_cast<double>(speeds.size()) * static_cast<double>(along.size()) *
                       static_cast<double>(spins.size()) * static_cast<double>(second_spins.size());
   if (size > longest_series) {

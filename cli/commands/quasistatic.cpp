@@ -93,9 +93,7 @@ std::vector<double> series_within(std::string_view name, Dimension dimension, do
                                   std::string_view help, const std::string& text, const Units& units) {
   const std::string range = fmt::format("{:g} to {:.6g}", low, std::floor(high * 1e6) / 1e6);
   const Input input{name, dimension, {}, low, high, true, true, range, help, {}};
-  std::vector<double> values = parse_series(name, text);
-  for (double& each : values) each = in_own_units(input, each, units.si, units.si ? units.in_si : units.own);
-  return values;
+  return series_of(input, text, units);
 }
 
 template <typename Of>

@@ -92,7 +92,7 @@ std::string text_of_function(const TableArguments& arguments, TableJob& job) {
 }
 
 std::string text_of_pairs(const TableArguments& arguments, const TableJob& job) {
-  const auto [smallest, largest] = ends_of(Question::table, "ratio", arguments.ratio, {}).own;
+  const auto [smallest, largest] = ends_of(input(Question::table, "ratio"), arguments.ratio, {}).own;
   const PairTable table = pair_table(mixture(job.encounter), job.speeds[0], job.speeds[1], smallest, largest,
                                      {.error = arguments.error,
                                       .beyond = beyond(arguments),

@@ -53,7 +53,7 @@ RuleTable rule_of(const TableArguments& arguments, const TableJob& job) {
                                  .threads = arguments.threads,
                                  .poll = waiting(arguments.output, "table of the collision rule")};
   if (arguments.ratio.empty()) return rule_table(refinable(job.encounter), job.speeds[0], job.speeds[1], options);
-  const auto [smallest, largest] = ends_of(Question::table, "ratio", arguments.ratio, {}).own;
+  const auto [smallest, largest] = ends_of(input(Question::table, "ratio"), arguments.ratio, {}).own;
   return rule_table(mixture(job.encounter), job.speeds[0], job.speeds[1], smallest, largest, options);
 }
 
@@ -94,7 +94,7 @@ void write_netcdf_of_rule(const TableArguments& arguments, const TableJob& job) 
                                  fmt::format("{}", job.typed[1])};
   if (arguments.friction) words.push_back(fmt::format("--friction={}", *arguments.friction));
   if (!arguments.ratio.empty()) {
-    const auto [smallest, largest] = ends_of(Question::table, "ratio", arguments.ratio, {}).own;
+    const auto [smallest, largest] = ends_of(input(Question::table, "ratio"), arguments.ratio, {}).own;
     words.insert(words.end(), {"--ratio", fmt::format("{}", smallest), fmt::format("{}", largest)});
   }
   words.insert(words.end(), {"--", to_json(job.encounter)});

@@ -75,23 +75,22 @@ std::string placeholder_of(const Input& input, Question question) {
   return form == Form::series ? name + "S" : name;
 }
 
-double own_value(Question question, std::string_view name, double value, const Units& units) {
-  return in_own_units(input(question, name), value, units.si, system_of(units));
+double own_value(const Input& input, double value, const Units& units) {
+  return in_own_units(input, value, units.si, system_of(units));
 }
 
-std::vector<double> series_of(Question question, std::string_view name, const std::string& text, const Units& units) {
-  std::vector<double> values = parse_series(name, text);
-  for (double& value : values) value = own_value(question, name, value, units);
-  return values;
+std::vector<double> series_of(const Input& input, const std::string& text, const Units& units) {
+  return series_in_own_units(input, text, units.si, system_of(units));
 }
 
-Ends ends_of(Question question, std::string_view name, const std::string& text, const Units& units) {
+Ends ends_of(const Input& input, const std::string& text, const Units& units) {
+  const std::string name(input.name);
   const std::vector<std::string> parts = split(text, ':');
   const std::string got = fmt::format("'{}'", shortened(text));
-  if (parts.size() != 2) throw InvalidInput::out_of_range(std::string(name), got, "LOW:HIGH, as in 0.01:1");
+  if (parts.size() != 2) throw InvalidInput::out_of_range(name, got, "LOW:HIGH, as in 0.01:1");
   const double low = parse_number(name, parts[0]), high = parse_number(name, parts[1]);
-  if (!(low < high)) throw InvalidInput::out_of_range(std::string(name), got, "a lower end below the higher one");
-  return {{low, high}, {own_value(question, name, low, units), own_value(question, name, high, units)}};
+  if (!(low < high)) throw InvalidInput::out_of_range(name, got, "a lower end below the higher one");
+  return {{low, high}, {own_value(input, low, units), own_value(input, high, units)}};
 }
 
 Provenance provenance(const CLI::App& command, const Encounter& encounter) {
@@ -132,11 +131,10 @@ void ApproachOptions::require_given(const Units& units) const {
 
 std::vector<double> ApproachOptions::series(const Units& units) const {
   require_given(units);
-  if (height.empty()) return series_of(question, "speed", speed, units);
-  std::vector<double> speeds = series_of(question, "height", height, units);
-  for (double& each : speeds) {
-    each = in_own_units(input(question, "speed"), speed_of_drop(each), units.si, units.in_si);
-  }
+  const Input& its = input(question, "speed");
+  if (height.empty()) return series_of(its, speed, units);
+  std::vector<double> speeds = series_of(input(question, "height"), height, units);
+  for (double& each : speeds) each = own_value(its, speed_of_drop(each), units);
   return speeds;
 }
 
@@ -149,11 +147,11 @@ double ApproachOptions::one(const Units& units, const std::string& note) const {
 
 Ends ApproachOptions::ends(const Units& units) const {
   require_given(units);
-  if (height.empty()) return ends_of(question, "speed", speed, units);
-  const Ends heights = ends_of(question, "height", height, units);
-  const auto own = [&](double of) { return in_own_units(input(question, "speed"), of, units.si, units.in_si); };
+  const Input& its = input(question, "speed");
+  if (height.empty()) return ends_of(its, speed, units);
+  const Ends heights = ends_of(input(question, "height"), height, units);
   const double slowest = speed_of_drop(heights.typed.first), fastest = speed_of_drop(heights.typed.second);
-  return {{slowest, fastest}, {own(slowest), own(fastest)}};
+  return {{slowest, fastest}, {own_value(its, slowest, units), own_value(its, fastest, units)}};
 }
 
 void refuse_word(const std::string& option, const std::string& got, const std::vector<std::string>& allowed,

@@ -31,17 +31,16 @@ CLI::Option* add_input(CLI::App& command, Question question, std::string_view na
 }
 
 /// A number of an input in units of the first body. @throws InvalidInput
-[[nodiscard]] double own_value(Question question, std::string_view name, double value, const Units& units);
+[[nodiscard]] double own_value(const Input& input, double value, const Units& units);
 
 /// The numbers of an input as typed, in units of the first body. @throws InvalidInput
-[[nodiscard]] std::vector<double> series_of(Question question, std::string_view name, const std::string& text,
-                                            const Units& units);
+[[nodiscard]] std::vector<double> series_of(const Input& input, const std::string& text, const Units& units);
 
 /// The ends of a range LOW:HIGH: as typed, and in units of the first body. @throws InvalidInput unless they ascend
 struct Ends {
   std::pair<double, double> typed, own;
 };
-[[nodiscard]] Ends ends_of(Question question, std::string_view name, const std::string& text, const Units& units);
+[[nodiscard]] Ends ends_of(const Input& input, const std::string& text, const Units& units);
 
 /// What a result says of its origin: who meets whom as the core's document has it (of a body from a file its name and
 /// a digest in place of its modes), and the inputs of the subcommand's question as typed or by default.

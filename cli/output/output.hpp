@@ -85,7 +85,7 @@ class Target {
   void require_unchanged(std::uintmax_t size, const std::string& more);
 
   /// Finds whether the file has grown by what was added at its end, and by nothing else.
-  void require_alone(std::uintmax_t added);
+  void require_alone(const std::string& added);
 
   std::string path_;            // as the user wrote it
   std::filesystem::path file_;  // behind links

@@ -26,6 +26,9 @@ class InvalidInput : public std::invalid_argument {
   /// The same refusal of a part of something, whose name comes first: "against" of "radius" is "against radius".
   [[nodiscard]] InvalidInput within(std::string_view whole) const;
 
+  /// The same refusal, whose hint is followed by another value of this input: rigid, "against rigid", against.
+  [[nodiscard]] InvalidInput with_way(std::string_view input) const;
+
   [[nodiscard]] Kind kind() const noexcept;
   /// The input as its caller has it: an argument, an option, a key; after "against" where it is of the second body.
   [[nodiscard]] const std::string& name() const noexcept;
@@ -34,6 +37,8 @@ class InvalidInput : public std::invalid_argument {
   /// The range or the words that are allowed, what is needed, or why it does not go together.
   [[nodiscard]] const std::string& allowed() const noexcept;
   [[nodiscard]] const std::string& hint() const noexcept;
+  /// The input by another value of which the hint is followed; empty where it is that of name(), or none.
+  [[nodiscard]] const std::string& way() const noexcept;
 
  private:
   struct Parts;
@@ -42,10 +47,21 @@ class InvalidInput : public std::invalid_argument {
   std::shared_ptr<const Parts> parts_;  // shared, so that a copy of the exception cannot throw
 };
 
-/// A computation that could not meet its own conditions. what() is one line: what failed and what may help.
+/// A computation that could not meet its own conditions. what() is one line: what failed (hint).
 class NotConverged : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  /// @param input another value of which may help, as in step; empty if none @param hint how
+  explicit NotConverged(const std::string& failure, const std::string& input = {}, const std::string& hint = {});
+
+  /// What failed, without the hint.
+  [[nodiscard]] const std::string& failure() const noexcept;
+  [[nodiscard]] const std::string& input() const noexcept;
+  [[nodiscard]] const std::string& hint() const noexcept;
+
+ private:
+  struct Parts;
+
+  std::shared_ptr<const Parts> parts_;
 };
 
 }  // namespace stoss

@@ -47,7 +47,7 @@ void translate(std::exception_ptr error) {
     raise("InvalidInput", kinds[static_cast<std::size_t>(refusal.kind())], refusal.name(), refusal.got(),
           refusal.allowed(), refusal.hint());
   } catch (const NotConverged& failure) {
-    raise("NotConverged", failure.what());
+    raise("NotConverged", failure.what(), py::none(), failure.input(), failure.hint());
   }
 }
 

@@ -59,11 +59,13 @@ class NotConverged(RuntimeError):
     Attributes:
         best (Restitution, Bounces, RodChain or None): The best value that was reached, or the
             impacts or collisions so far, if there are any.
+        input (str): The argument of which another value may help, as in "step", or "".
+        hint (str): How it may help, or "".
     """
 
-    def __init__(self, message: str, best: Any = None) -> None:
+    def __init__(self, message: str, best: Any = None, input: str = "", hint: str = "") -> None:
         super().__init__(message)
-        self.best = best
+        self.best, self.input, self.hint = best, input, hint
 
 
 class Interrupted(KeyboardInterrupt):

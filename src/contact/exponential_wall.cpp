@@ -44,7 +44,7 @@ const std::vector<double>& ExponentialResponse::advance(const std::vector<double
   for (std::size_t i = 0; i < position.size(); ++i) {
     const double exponent = log_strength_ + wall_.hardness * position[i];
     if (!(exponent < max_exponent)) {
-      throw NotConverged("exponential wall: penetrated beyond any physical force (use a smaller step)");
+      throw NotConverged("exponential wall: penetrated beyond any physical force", "step", "use a smaller step");
     }
     force_[i] = measure_[i] * std::exp(exponent);
     total_force_ += force_[i];

@@ -55,7 +55,8 @@ void Friction::hold_stuck(const std::vector<double>& compliance, const std::vect
   Eigen::Ref<Eigen::MatrixXd> block(matrix);
   const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factored(block);
   if (factored.info() != Eigen::Success) {
-    throw NotConverged("friction: the compliance along the surface is not positive definite (use fewer nodes)");
+    throw NotConverged("friction: the compliance along the surface is not positive definite", "nodes",
+                       "use fewer nodes");
   }
   factored.solveInPlace(held);
   for (Index a = 0; a < size; ++a) trial_[stuck_[static_cast<std::size_t>(a)]] = held(a);

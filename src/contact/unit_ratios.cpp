@@ -30,22 +30,33 @@ void require_ratio_of_half_space(const std::string& name, const Body& of, double
   require_below(name, ratio, 1e6, "1e6", "of the " + short_name(of) + " to the body" + std::string(hint));
 }
 
-/// What to do about waves of the stiffer one that are too fast for the steps of the other.
-std::string_view way_out(const Body& first, const Body& second, bool second_is_stiffer) {
-  if (second_is_stiffer) return is_unbounded(second) ? "let it be a wall" : "let the second be rigid";
-  return is_known_at_a_point(first) ? "take a rigid sphere of its radius in its place" : "let the first be rigid";
+/// What to do about waves of the stiffer one that are too fast for the steps of the other, and by which input.
+struct WayOut {
+  std::string_view hint, input;
+};
+
+WayOut way_out(const Body& first, const Body& second, bool second_is_stiffer) {
+  if (second_is_stiffer && is_unbounded(second)) return {"let it be a wall", "against"};
+  if (second_is_stiffer) return {"let the second be rigid", "against rigid"};
+  if (is_known_at_a_point(first)) return {"take a rigid sphere of its radius in its place", ""};
+  return {"let the first be rigid", "rigid"};
 }
 
 /// The modulus of a rigid body is only a unit: whatever it is, ratios to it say nothing.
 void require_young(const Body& first, const Body& second, double softness) {
   if (first.softness == 0.0 || second.softness == 0.0) return;
   const double ratio = 1.0 / softness;
-  const std::string way = "; the waves of the stiffer one are too fast for the steps of the other: " +
-                          std::string(way_out(first, second, ratio > 1.0));
-  if (is_unbounded(second)) {
-    require_ratio_of_half_space("young", second, ratio, way);
-  } else {
-    require_ratio("young", ratio, way);
+  const auto [hint, input] = way_out(first, second, ratio > 1.0);
+  const std::string way =
+      "; the waves of the stiffer one are too fast for the steps of the other: " + std::string(hint);
+  try {
+    if (is_unbounded(second)) {
+      require_ratio_of_half_space("young", second, ratio, way);
+    } else {
+      require_ratio("young", ratio, way);
+    }
+  } catch (const InvalidInput& refusal) {
+    throw refusal.with_way(input);
   }
 }
 

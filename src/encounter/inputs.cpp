@@ -7,6 +7,8 @@
 
 #include "check.hpp"
 #include "ranges.hpp"
+#include "stoss/encounter/series.hpp"
+#include "stoss/encounter/visible.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -162,6 +164,22 @@ double in_own_units(const Input& input, double value, const std::optional<Scales
   require(input, value, scales, system);
   const double unit = scales ? unit_in_si(input.dimension, *scales) : 1.0;
   return std::clamp(value / unit, input.low, input.high);  // the division may round beyond an end
+}
+
+std::vector<double> series_in_own_units(const Input& input, std::string_view text, const std::optional<Scales>& scales,
+                                        UnitSystem system) {
+  std::vector<double> values = parse_series(input.name, text);
+  const bool typed = text.find(':') == std::string_view::npos;
+  for (double& value : values) {
+    try {
+      value = in_own_units(input, value, scales, system);
+    } catch (const InvalidInput& refusal) {
+      if (typed) throw;
+      throw InvalidInput::out_of_range(refusal.name(), rounded(value) + " of " + in_quotes(text), refusal.allowed(),
+                                       refusal.hint());
+    }
+  }
+  return values;
 }
 
 }  // namespace stoss

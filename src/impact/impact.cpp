@@ -51,8 +51,8 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
   const double flight = std::max(0.0, -(collision.snapshot().center + contact.extent)) + 4.0 * collision.clearance();
   double steps = (longest_duration(contact) + flight / speed) / resolution.step;
   if (steps > most_steps) {
-    throw NotConverged("impact: would take more than " + std::to_string(static_cast<long>(most_steps)) +
-                       " steps (use a larger step, or a hard wall instead of an exponential one)");
+    throw NotConverged("impact: would take more than " + std::to_string(static_cast<long>(most_steps)) + " steps",
+                       "step", "use a larger step, or a hard wall instead of an exponential one");
   }
   const auto observe = [&] {
     Snapshot now = collision.snapshot();

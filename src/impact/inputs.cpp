@@ -38,8 +38,8 @@ void require_every(int every) {
 void require_resolved(double energy_error) {
   constexpr double most = 1e-2;
   if (std::abs(energy_error) <= most) return;
-  throw NotConverged("impact: " + std::to_string(energy_error) +
-                     " of the energy is unaccounted for (use a smaller step)");
+  throw NotConverged("impact: " + std::to_string(energy_error) + " of the energy is unaccounted for", "step",
+                     "use a smaller step");
 }
 
 void show_inputs(const Contact& contact, double speed, const FixedResolution& resolution, const ImpactOptions& options,

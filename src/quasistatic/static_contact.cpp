@@ -88,7 +88,8 @@ StaticContact on_nodes(const Pressed& body, double compression, double spacing, 
   Complementarity problem(body.compliance(points), count, poll);
   std::vector<double> force(count), displacement(count);
   problem.solve(approach, force, displacement);
-  if (problem.extent() == count) throw NotConverged("static contact: the contact outgrew its grid (use fewer nodes)");
+  if (problem.extent() == count)
+    throw NotConverged("static contact: the contact outgrew its grid", "nodes", "use fewer nodes");
   for (std::size_t i = 0; i < count; ++i) {
     result.force += force[i] / body.mass;
     result.energy += 0.5 * force[i] * displacement[i] / body.mass;

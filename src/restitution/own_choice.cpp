@@ -20,14 +20,4 @@ std::string beyond_own_choice(const InvalidInput& refusal) {
   return {};
 }
 
-std::string without_hint(std::string_view message) {
-  constexpr std::array<std::string_view, 3> hints{" (use a smaller step)", " (use fewer nodes)",
-                                                  " (use a larger step)"};
-  for (const std::string_view hint : hints) {
-    const std::size_t at = message.rfind(hint);
-    if (at != std::string_view::npos && at + hint.size() == message.size()) return std::string(message.substr(0, at));
-  }
-  return {};
-}
-
 }  // namespace stoss

@@ -153,8 +153,8 @@ class Sequence {
 
 }  // namespace
 
-BounceNotConverged::BounceNotConverged(const std::string& reason, std::vector<Bounce> impacts)
-    : NotConverged(reason), done(std::move(impacts)) {}
+BounceNotConverged::BounceNotConverged(const NotConverged& cause, std::vector<Bounce> impacts)
+    : NotConverged(cause), done(std::move(impacts)) {}
 
 void validate(const Contact& contact, double speed, const BounceOptions& options) {
   if (contact.second != nullptr && !contact.unbounded) {
@@ -194,7 +194,7 @@ std::vector<Bounce> bounce(const Contact& contact, double speed, const BounceOpt
   try {
     bounce(contact, speed, options, [&](const Bounce& bounce, const Impact&) { impacts.push_back(bounce); });
   } catch (const NotConverged& error) {
-    throw BounceNotConverged(error.what(), std::move(impacts));
+    throw BounceNotConverged(error, std::move(impacts));
   }
   return impacts;
 }

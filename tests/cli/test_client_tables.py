@@ -30,7 +30,14 @@ def test_there_are_tables():
     assert len(TABLES) == 7
 
 
-@pytest.mark.parametrize("table", TABLES, ids=lambda path: f"{path.parent.name}/{path.name}")
+SLOW = ("ice/rule.h", "ice/restitution.h")  # which take seconds each
+
+
+def marked(table):
+    return pytest.param(table, marks=pytest.mark.long) if f"{table.parent.name}/{table.name}" in SLOW else table
+
+
+@pytest.mark.parametrize("table", map(marked, TABLES), ids=lambda path: f"{path.parent.name}/{path.name}")
 def test_the_command_makes_them(stoss, tmp_path, table):
     expected = table.read_text(encoding="utf-8")
     arguments = told(expected)

@@ -51,46 +51,11 @@ def test_help_is_wrapped_to_the_terminal(stoss, name):
     assert len(texts[120].splitlines()) <= len(plain.splitlines()) <= len(texts[60].splitlines())
 
 
-@pytest.mark.parametrize("words", ["materials", "restitution --body disk --poisson 0.33 --speed 0.1"])
-def test_columns_of_tables_stand_apart(stoss, words):
-    lines = stoss.run(words).stdout.splitlines()
-    assert max(map(len, lines)) <= 80
-    if words == "materials":
-        assert lines[0].split() == ["name", "young", "poisson", "density", "yield_strength", "quality", "surface_energy"]
-        glass = next(line for line in lines if line.split()[:1] == ["glass"])
-        assert glass.split() == ["glass", "7e+10", "0.22", "2500", "1000", "0.03"]
-
-
 def test_a_value_that_there_is_not_is_no_nan(stoss):
     """Known too close to the point: the row says so, and the reason stands on standard error."""
     result = stoss.run(f"restitution --body @{FILES}/bell.json --against @{FILES}/bar.json --speed 62.7")
     assert result.returncode == 1 and "nan" not in result.stdout + result.stderr
     assert result.stdout.count("not computed") == 2 and "modal data" in result.stderr or "computed" in result.stderr
-
-
-@pytest.mark.parametrize("words, said", [
-    # names of materials
-    ("--material Glass --radius 1", "did you mean glass?"),
-    ("--material aluminum --radius 1", "did you mean aluminium?"),
-    ("--material ruby --radius 1", "allowed"),
-    # hard on soft: the reason, and the way out
-    ("--poisson 0.3 --against half-space,young=1e-4",
-     "young ratio: got 0.0001, allowed 0.001 to 1e6 (of the half-space to the body; the waves of the stiffer one are too "
-     "fast for the steps of the other: let the first be rigid (--rigid-body))"),
-    ("--poisson 0.3 --against plate,thickness=1,young=1e-4", "of the plate to the body"),
-    ("--poisson 0.3 --against half-space,young=1e7", "let it be a wall"),
-    ("--poisson 0.3 --against sphere,young=1e4", "of the second body to the first; the waves"),
-    # a loss time in the unit in which it is given
-    ("--material glass --radius 0.01 --loss-time 31", "loss_time: got 31, allowed 0 to 0.18898"),
-    ("--material glass --radius 0.01 --against sphere,material=ice,radius=0.02,loss_time=50",
-     "against loss_time: got 50, allowed 0 to 0.6280"),
-    ("--poisson 0.3 --speed 0.5 --against half-space,young=0.01,density=2", "c at so soft a body"),
-])  # fmt: skip
-def test_refusals_are_of_what_was_given(stoss, words, said):
-    speed = "" if "--speed" in words else "--speed 0.05" if "--poisson" in words else "--speed 1"
-    result = stoss.run("restitution --body sphere", words, speed)
-    assert (result.returncode, result.stdout, result.stderr.count("\n")) == (3, "", 1), result.stderr
-    assert said in result.stderr
 
 
 def test_a_cutoff_is_refused_in_the_units_in_which_it_is_given(stoss):
@@ -105,12 +70,6 @@ def test_a_table_speaks_of_its_error(stoss):
     (line,) = result.stderr.splitlines()
     assert result.returncode == 1 and line.endswith("and the table needs less (allow a greater error)")
     assert "tolerance" not in line
-
-
-def test_an_uncertainty_is_given_once(stoss):
-    result = stoss.run("predict --body sphere --material glass --radius 1e-3 --speed 0.1 --uncertainty young=0.1 "
-                       "--uncertainty young=0.2")  # fmt: skip
-    assert result.returncode == 3 and result.stderr == "stoss: error: uncertainty young: given twice, allowed once\n"
 
 
 @pytest.mark.parametrize("against", ["half-space,density=2,young=", "sphere,radius=2,young="])
@@ -132,26 +91,6 @@ def test_a_body_whose_curvatures_differ_has_a_value(stoss):
     assert result.returncode in (0, 1) and result.stderr.count("error") == 0
     (row,) = json.loads(result.stdout)["records"]
     assert 0 < row["restitution"] < 1 and 0 < row["restitution_error"] < 1
-
-
-def test_a_trajectory_has_the_units_of_its_inputs(stoss, tmp_path):
-    path = tmp_path / "t.csv"
-    words = f"impact --body sphere --material glass --radius 0.001 --speed 0.1 --cutoff 6 --quiet --trajectory {path}"
-    assert stoss.run(words).returncode == 0
-    *head, names, first = path.read_text().splitlines()[: path.read_text().count("\n# ") + 3]
-    given = dict(line[2:].split(": ", 1) for line in head if ": " in line)
-    assert float(given["speed[m/s]"]) == 0.1
-    names = names.split(",")
-    assert names[-5:] == ["time_si[s]", "center_si[m]", "velocity_si[m/s]", "force_si[N]", "contact_half_width_si[m]"]
-    row = dict(zip(names, map(float, first.split(","))))
-    assert row["velocity_si[m/s]"] == pytest.approx(0.1, rel=1e-12)
-    for name, unit in (("center", "R"), ("time", "R/c")):
-        si = f"{name}_si[{'m' if unit == 'R' else 's'}]"
-        scale = 0.001 if unit == "R" else 0.001 * float(given["speed"]) / 0.1
-        assert row[si] == pytest.approx(scale * row[f"{name}[{unit}]"], rel=1e-12)
-    # Without a material there is nothing to be in SI.
-    assert stoss.run(f"impact --body disk --poisson 0.33 --speed 0.1 --cutoff 6 --quiet --trajectory {path}").returncode == 0
-    assert "_si" not in path.read_text()
 
 
 def test_rods_say_which_error_they_reach(stoss):

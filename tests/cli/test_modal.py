@@ -2,7 +2,6 @@
 
 import json
 import pathlib
-import zipfile
 
 import pytest
 from conftest import number
@@ -25,31 +24,6 @@ def test_sphere_of_a_mesh_is_the_sphere(stoss, against):
     exact, its_error = lost(stoss, f"{SPHERE} --against {against} --speed 0.5")
     assert abs(of_modes - exact) <= error + its_error
     assert error < 0.8 * of_modes
-
-
-def test_refuses_in_one_line(stoss, tmp_path):
-    broken = tmp_path / "broken.json"
-    broken.write_text('{"format": "stoss modal body 1", "mass": 1}')
-    wrong = tmp_path / "wrong.json"
-    wrong.write_text("mass = 1")
-    packed = tmp_path / "packed.npz"
-    with zipfile.ZipFile(packed, "w") as archive:
-        archive.writestr("mass.npy", b"")
-    for arguments, said in (
-        (f"--body @{packed}", "an NPZ file, allowed JSON (in Python: stoss.ModalBody.read("),
-        (f"--body @{broken}", "curvature: missing"),
-        (f"--body @{wrong}", "not a JSON document"),
-        (f"{SPHERE} --against @{wrong}", "not a JSON document"),
-        (f"--body @{FILES}/bar.json --radius 1", "radius: got --radius"),
-        (f"--body @{FILES}/bar.json --material 'structural steel'", "material: the body file has one already"),
-        (f"--body @{FILES}/bar.json --against disk", "against"),
-        (f"--body @{FILES}/beam_0.json", "flat"),
-        (f"--poisson 0.3 --body sphere --against @{FILES}/bar.json", "against: has a material"),
-    ):
-        result = stoss.run("restitution --speed 0.1", arguments)
-        assert result.returncode == 3, (arguments, result.stderr)
-        assert result.stdout == "" and result.stderr.count("\n") == 1
-        assert said in result.stderr, result.stderr
 
 
 @pytest.mark.parametrize("command", ["restitution", "impact", "oblique", "predict", "table", "distribution", "bounce"])

@@ -62,13 +62,6 @@ def test_whole_numbers(stoss):
         assert_refused(call(stoss, IMPACT, f"--nodes={text}"), "nodes")
 
 
-def test_range_that_is_shown_is_allowed(stoss):
-    for job in (f"{SLOW} --speed", f"{SLOW} --compression", f"{SLOW} --law diameter --speed"):
-        refusal = call(stoss, job, "9").stderr
-        for end in refusal.split("allowed ")[1].split()[0:3:2]:
-            assert call(stoss, job, end, "--quiet").returncode == 0
-
-
 @pytest.mark.parametrize(
     "words, meant",
     [

@@ -1,4 +1,4 @@
-"""stoss restitution --resume: what was computed stays, what is missing is added, nothing else is touched."""
+"""stoss ... --resume: what was computed stays, what is missing is added, nothing else is touched."""
 
 import os
 import resource
@@ -13,6 +13,44 @@ pytestmark = pytest.mark.numbers
 
 JOB = "restitution --body disk --poisson 0.33,-0.2 --speed log:1e-3:0.09:60"
 INTERRUPTED = "# interrupted: the rows above are complete, later ones are missing\n"
+DISK = '{"kind":"disk","poisson":%s}'
+BALL = "--body sphere --poisson 0.3"
+STEEL = "restitution --body disk --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --plane strain --speed 10,20"
+# Jobs of two rows and more, and others that are not theirs, with the input that says so.
+OTHERS = {
+    SMALL: [(SMALL.replace("0.33", "0.34"), "first"), (SMALL.replace("0.1,0.2", "0.1,0.2,0.3"), "speed"),
+            (SMALL + " --tolerance 1e-2", "tolerance"), (SMALL + " --absolute 1e-4", "absolute"),
+            (SMALL + " --against disk,radius=2", "against"), (STEEL, "first")],
+    STEEL: [(STEEL.replace("7850", "7851"), "first"), (STEEL.replace(" --plane strain", ""), "first"), (STEEL + " --against same", "against")],
+    f"restitution {BALL} --speed 0.1,0.2 --tolerance 0.1 --against half-space,young=2 --rigid-body": [
+        (f"restitution {BALL} --speed 0.1,0.2 --tolerance 0.1 --against half-space,young=2", "first"),
+        (f"restitution {BALL} --speed 0.1,0.2 --tolerance 0.1 --against half-space,young=2,loss_time=1 --rigid-body", "against")],
+    f"restitution {BALL} --speed 0.01,0.02 --mode 2,0,energy=0.1,phase=2": [
+        (f"restitution {BALL} --speed 0.01,0.02", "vibration"), (f"restitution {BALL} --speed 0.01,0.02 --mode 2,0,energy=0.1", "vibration")],
+    f"oblique {BALL} --friction 0.2 --speed 0.05 --angle 10,20 --tolerance 0.1": [
+        (f"oblique {BALL} --friction 0.2 --speed 0.05 --tangential 0.01,0.02 --tolerance 0.1", "tangential"),
+        (f"oblique {BALL} --friction 0.3 --speed 0.05 --angle 10,20 --tolerance 0.1", "friction")],
+    f"distribution {BALL} --speed 0.01 --temperature 0.01 --samples 4 --seed 7": [
+        (f"distribution {BALL} --speed 0.01 --temperature 0.01 --samples 4 --seed 8", "seed"),
+        (f"distribution {BALL} --speed 0.01 --temperature 0.01 --samples 5 --seed 7", "samples"),
+        (f"restitution {BALL} --speed 0.01", "kind of result")],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("job", OTHERS, ids=lambda job: job.split()[0])
+def test_a_part_is_completed_and_another_job_is_refused(stoss, tmp_path, job):
+    path = tmp_path / "curve.csv"
+    assert resume(stoss, path, job).returncode == 0
+    whole = path.read_text()
+    assert rows(whole) == stoss.data(job)
+    for part in (whole, whole[: whole.rindex("\n", 0, -1) + 5], whole[: whole.rindex("\n", 0, -1) + 1] + INTERRUPTED):
+        path.write_text(part)
+        for other, name in OTHERS[job]:
+            result = resume(stoss, path, other)
+            assert (result.returncode, result.stdout) == (3, "") and path.read_text() == part
+            (line,) = result.stderr.splitlines()
+            assert line.startswith(f"stoss: error: {name}") and ": got " in line and f" as in '{path}'" in line, line
+        assert resume(stoss, path, job).returncode == 0 and path.read_text() == whole
 
 
 def lines(text):
@@ -22,25 +60,6 @@ def lines(text):
 @pytest.fixture(scope="module")
 def whole(stoss):
     return stoss.run(JOB, "--format csv").stdout
-
-
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
-@pytest.mark.parametrize("count", [1, 70])
-def test_interrupted_or_killed_and_resumed(stoss, tmp_path, whole, number, count):
-    path = tmp_path / "curve.csv"
-    command = stoss.start(f"{JOB} --threads 1 --format csv -o {path}", stderr=subprocess.DEVNULL)
-    wait_for_rows(command, path, count)
-    command.send_signal(number)
-    assert command.wait(timeout=60) == (-number if number == signal.SIGKILL else 128 + number)
-    before = path.read_text()
-    assert before.endswith(INTERRUPTED) == (number != signal.SIGKILL)
-    result = resume(stoss, path, JOB)
-    assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
-    after = path.read_text()
-    assert after.startswith(before.removesuffix(INTERRUPTED))
-    assert len(lines(before)) < len(lines(after))
-    assert INTERRUPTED not in after
-    assert rows(after) == rows(whole)
 
 
 def test_interrupted_again_and_again(stoss, tmp_path, whole):
@@ -70,7 +89,7 @@ def test_a_row_that_was_changed_is_refused(stoss, tmp_path, begun):
     assert resume(stoss, path, job).returncode == 0 and path.read_text() == whole
 
 
-@pytest.mark.parametrize("job", [JOB, "distribution --body disk --poisson 0.33 --speed 0.1 --spectrum 2,0,energy=0.1 --samples 5"])
+@pytest.mark.parametrize("job", [SMALL, "distribution --body disk --poisson 0.33 --speed 0.1 --spectrum 2,0,energy=0.1 --samples 5"])
 def test_interrupted_before_the_first_row(stoss, tmp_path, job):
     """The file says so where its first row would be."""
     path = tmp_path / "curve.csv"
@@ -118,20 +137,6 @@ def test_every_place_of_the_end(stoss, tmp_path, small):
         assert path.read_text().startswith(kept)
 
 
-def test_nothing_there_begins_the_file(stoss, tmp_path, small):
-    path = tmp_path / "curve.csv"
-    assert resume(stoss, path).returncode == 0
-    assert rows(path.read_text()) == rows(small)
-
-
-def test_complete_file_stays_as_it_is(stoss, tmp_path, small):
-    path = tmp_path / "curve.csv"
-    path.write_text(small)
-    result = resume(stoss, path)
-    assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
-    assert path.read_text() == small
-
-
 def test_marks_of_earlier_rows_count(stoss, tmp_path):
     path = tmp_path / "curve.csv"
     job = "restitution --body disk --poisson 0.33 --speed 0.7"
@@ -145,24 +150,6 @@ def test_marks_of_earlier_rows_count(stoss, tmp_path):
     quiet = resume(stoss, path, f"{job} --quiet")
     assert (quiet.returncode, quiet.stderr) == (1, "")
     assert path.read_text() == before
-
-
-def test_material(stoss, tmp_path):
-    path = tmp_path / "curve.csv"
-    job = "restitution --body disk --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --plane strain --speed 10,20,30"
-    text = stoss.run(job, "--format csv").stdout
-    path.write_text(text[:-200])
-    assert resume(stoss, path, job).returncode == 0
-    assert rows(path.read_text()) == rows(text)
-    other = resume(stoss, path, job.replace("7850", "7851"))
-    assert (other.returncode, path.read_text().count("\n")) == (3, text.count("\n"))
-    assert "got 7851" in other.stderr.replace(".0", "") or "poisson" in other.stderr
-
-
-def test_same_output_is_allowed(stoss, tmp_path, small):
-    path = tmp_path / "x.csv"
-    assert resume(stoss, path, f"{SMALL} --format csv -o {tmp_path}/./x.csv").returncode == 0
-    assert rows(path.read_text()) == rows(small)
 
 
 @pytest.mark.parametrize("how", ["--resume", "-o"])
@@ -198,42 +185,69 @@ def test_row_with_an_unknown_error_is_kept(stoss, tmp_path, small):
     assert path.read_text() == known
 
 
-@pytest.mark.parametrize("number_of_signal", [signal.SIGINT, signal.SIGKILL])
-def test_curve_of_pairs_interrupted_or_killed_and_resumed(stoss, tmp_path, number_of_signal):
-    path = tmp_path / "curve.csv"
-    job = "restitution --body disk --poisson 0.33,0.2 --speed log:0.01:0.2:40 --tolerance 1e-2 --against disk,radius=2"
-    command = stoss.start(f"{job} --threads 1 --resume {path}", stderr=subprocess.DEVNULL)
-    wait_for_rows(command, path, 3)
-    command.send_signal(number_of_signal)
-    assert command.wait(timeout=60) == (130 if number_of_signal == signal.SIGINT else -signal.SIGKILL)
-    assert resume(stoss, path, job).returncode == 0
-    assert rows(path.read_text()) == rows(stoss.run(job, "--format csv").stdout)
+def changed(text, old, new):
+    assert old in text
+    return text.replace(old, new, 1)
 
 
 @pytest.mark.parametrize(
-    "bodies, others",
+    "change, told",
     [
-        (
-            "--body disk --poisson 0.33 --against disk,radius=2",
-            [
-                "--body disk --poisson 0.33 --against disk,radius=2.5",
-                "--body disk --poisson 0.33 --against same",
-                "--body disk --poisson 0.33",
-                "--body rod",
-            ],
-        ),
-        ("--body rod --against rod,length=2.5", ["--body rod --against same", "--body rod", "--poisson 0.33"]),
+        (lambda text: "precious\n", "precious"),
+        (lambda text: "precious", "precious"),
+        (lambda text: "\0\1\2\377" * 100 + "\n", "\\x00\\x01\\x02\\xff"),
+        (lambda text: '{\n  "schema": "stoss/restitution/2"\n', "{"),
+        (lambda text: changed(text, ": restitution\n", ": modes\n"), "allowed modes"),
+        (lambda text: changed(text, "# stoss ", "# stoss 9"), "version of stoss"),
+        (lambda text: changed(text, "# tolerance: 0.001\n", ""), "tolerance: got 0.001, allowed none"),
+        (lambda text: changed(text, "# against", "# colour: red\n# against"), "colour: got none, allowed red"),
+        (lambda text: changed(text, "# against", "# a\0b: 1\n# against"), "a\\x00b: got none, allowed 1"),
+        (lambda text: changed(text, "# against", f"# {'a' * 9999}: 1\n# against"), "a... (9999 bytes): got none"),
+        (lambda text: changed(text, "# against: ", "# against, "), "# against, wall"),
+        (lambda text: changed(text, "max_force[piRE]", "max_force[N]"), "poisson,speed"),
+        (lambda text: changed(text, "\n0.33,0.1,", "\n0.33,0.10000001,"), "row 1 of the file, allowed 0.33,0.1"),
+        (lambda text: changed(text, "\n-0.2,0.1,", "\n-0.25,0.1,"), "row 3 of the file"),
+        (lambda text: changed(text, ",true\n", "\n"), "as line 10"),
+        (lambda text: changed(text, ",true\n", ",maybe\n"), "as line 10"),
+        (lambda text: changed(text, ",true\n", ",true\n" + INTERRUPTED), "as line 11"),
+        (lambda text: changed(text, ",true\n", ",true\n\n"), "as line 11"),
+        (lambda text: text + text.splitlines(True)[-1], "got a row 5"),
     ],
 )
-def test_resume_keeps_to_the_bodies(stoss, tmp_path, bodies, others):
+def test_damaged_or_foreign_file_is_refused_and_left_alone(stoss, tmp_path, small, change, told):
     path = tmp_path / "curve.csv"
-    job = "restitution --speed 0.1,0.2 --tolerance 0.1"
-    whole = stoss.run(job, bodies, "--format csv").stdout
-    path.write_text(whole[: whole.rindex("\n", 0, -1) + 1])
-    before = path.read_text()
-    for other in others:
-        result = resume(stoss, path, f"{job} {other}")
-        assert result.returncode == 3 and "another job needs another file" in result.stderr
-        assert path.read_text() == before
-    assert resume(stoss, path, f"{job} {bodies}").returncode == 0
-    assert rows(path.read_text()) == rows(whole)
+    text = change(small).encode("latin-1")
+    path.write_bytes(text)
+    result = resume(stoss, path)
+    assert (result.returncode, result.stdout) == (3, "")
+    (line,) = result.stderr.splitlines()
+    assert line.startswith("stoss: error: ") and told in line and "allowed" in line
+    assert path.read_bytes() == text
+
+
+@pytest.mark.parametrize(
+    "more, told",
+    [
+        ("--format json", "got --format json, allowed csv"),
+        ("--format table", "got --format table, allowed csv"),
+        ("-o other.csv", "got another file as --output"),
+        ("-o -", "got another file as --output"),
+    ],
+)
+def test_other_output_is_refused(stoss, tmp_path, more, told):
+    result = resume(stoss, tmp_path / "x.csv", f"{SMALL} {more}")
+    assert (result.returncode, result.stdout) == (3, "")
+    assert result.stderr.startswith(f"stoss: error: resume: {told}")
+    assert not (tmp_path / "x.csv").exists()
+
+
+@pytest.mark.parametrize("part", [1, 0.9, 0.1])
+def test_line_ends_of_another_system_are_named(stoss, tmp_path, small, part):
+    path = tmp_path / "curve.csv"
+    text = small[: int(part * len(small))].replace("\n", "\r\n").encode()
+    path.write_bytes(text)
+    result = resume(stoss, path)
+    assert result.returncode == 3
+    (line,) = result.stderr.splitlines()
+    assert "got line ends CRLF" in line and str(path) in line and "allowed LF" in line
+    assert path.read_bytes() == text

@@ -51,6 +51,8 @@ def test_only_what_is_named_is_written(watched, job):
 
 @pytest.mark.parametrize("job", ["restitution --body disk --poisson 7 --speed 0.1 -o out", "restitution --poisson 0.33 --speed x --resume out",
                                  "table --body disk --poisson 0.33 --speed 0.1 -o out", "modes --poisson 0.33 -o out/of/nowhere"])  # fmt: skip
+
+
 def test_a_refusal_writes_nothing(watched, job):
     done, written = watched.run(os.environ["STOSS"], *shlex.split(job))
     assert done.returncode in (2, 3, 4) and written == set()

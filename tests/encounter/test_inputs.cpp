@@ -96,6 +96,16 @@ TEST(Inputs, AreInUnitsOfTheFirstBodyWhereItHasAMaterial) {
             "speed: got 6000, allowed 5e-05 to 5000 m/s (speed of approach, along the normal, 1e-8 to 1 c)");
 }
 
+TEST(Inputs, OfASeriesAreRefusedAsTheyWereTypedOrToSixDigits) {
+  const Input& speed = input(Question::restitution, "speed");
+  const auto refused = [&](const char* text) {
+    return message_of<InvalidInput>([&] { (void)series_in_own_units(speed, text, std::nullopt, UnitSystem::sphere); });
+  };
+  EXPECT_EQ(series_in_own_units(speed, "0.1,0.2", std::nullopt, UnitSystem::sphere), (std::vector{0.1, 0.2}));
+  EXPECT_TRUE(refused("0.1,1.23456789").starts_with("speed: got 1.23456789, allowed 1e-8 to 1 c"));
+  EXPECT_TRUE(refused("lin:0.5:1.5:4").starts_with("speed: got 1.16667 of 'lin:0.5:1.5:4', allowed 1e-8 to 1 c"));
+}
+
 TEST(Inputs, OfNoQuestionAreRefused) {
   test::expect_refusal([] { (void)input(Question::impact, "friction"); }, {"input", "friction"});
 }

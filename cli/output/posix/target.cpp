@@ -167,20 +167,24 @@ void Target::require_unchanged(std::uintmax_t size, const std::string& more) {
     }
     cannot_write(path_, why);
   }
-  require_alone(0);
+  require_alone({});
 }
 
-void Target::require_alone(std::uintmax_t added) {
+void Target::require_alone(const std::string& added) {
+  const int descriptor = fileno(stream());
   struct stat status {};
-  if (fstat(fileno(stream()), &status) != 0) cannot_write(path_, errno);
-  const std::uintmax_t now = static_cast<std::uintmax_t>(status.st_size) - added;
-  if (now == size_) {
-    size_ += added;
+  if (fstat(descriptor, &status) != 0) cannot_write(path_, errno);
+  std::uintmax_t now = static_cast<std::uintmax_t>(status.st_size);
+  if (now == size_ + added.size()) {
+    size_ = now;
     return;
   }
   made_ = false;
-  // What is added came behind the other's change, not over it.
-  if (added > 0 && ftruncate(fileno(stream()), static_cast<off_t>(now)) != 0) cannot_write(path_, errno);
+  // What is added stands behind the other's change, or before it, where it stays.
+  if (!added.empty() && content(descriptor).ends_with(added)) {
+    now -= added.size();
+    if (ftruncate(descriptor, static_cast<off_t>(now)) != 0) cannot_write(path_, errno);
+  }
   cannot_write(
       path_, fmt::format("another process has changed it, from {} to {} bytes (it is left as it is now)", size_, now));
 }
@@ -202,7 +206,7 @@ void Target::extend(std::uintmax_t size, const std::string& text) {
     cannot_write(path_, reason);
   }
   made_ = false;
-  require_alone(text.size());
+  require_alone(text);
 }
 
 void Target::close() {

@@ -60,4 +60,9 @@ void require(const Input& input, double value, const std::optional<Scales>& scal
 [[nodiscard]] double in_own_units(const Input& input, double value, const std::optional<Scales>& scales,
                                   UnitSystem system);
 
+/// The numbers of a series as typed, in units of the first body. A number between the ends of `log:a:b:n` or
+/// `lin:a:b:n` is refused to six digits, beside the series: it was not typed. @throws InvalidInput as parse_series
+[[nodiscard]] std::vector<double> series_in_own_units(const Input& input, std::string_view text,
+                                                      const std::optional<Scales>& scales, UnitSystem system);
+
 }  // namespace stoss

@@ -56,7 +56,7 @@ using BounceObserver = std::function<void(const Bounce& bounce, const Impact& im
 /// A sequence that ends too early.
 class BounceNotConverged : public NotConverged {
  public:
-  BounceNotConverged(const std::string& reason, std::vector<Bounce> impacts);
+  BounceNotConverged(const NotConverged& cause, std::vector<Bounce> impacts);
   std::vector<Bounce> done;  ///< the impacts before
 };
 

@@ -26,7 +26,8 @@ void Complementarity::solve(const std::vector<double>& q, std::vector<double>& f
     deepest = std::max(deepest, position);
     finite = finite && std::isfinite(position);
   }
-  if (!finite) throw NotConverged("contact: the position of a node is not a finite number (use a smaller step)");
+  if (!finite)
+    throw NotConverged("contact: the position of a node is not a finite number", "step", "use a smaller step");
   if (deepest == 0.0) {
     std::fill(force.begin(), force.end(), 0.0);
     std::fill(displacement.begin(), displacement.end(), 0.0);
@@ -84,7 +85,8 @@ void Complementarity::solve_on_set(const std::vector<std::size_t>& set, const st
       block(i, j) = w(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(set[static_cast<std::size_t>(j)]));
   }
   if (!numeric::dense::factor(block, poll_)) {
-    throw NotConverged("contact: the compliance between the nodes is not positive definite (use fewer nodes)");
+    throw NotConverged("contact: the compliance between the nodes is not positive definite", "nodes",
+                       "use fewer nodes");
   }
   numeric::dense::solve(block, right, poll_);
   std::fill(force.begin(), force.end(), 0.0);

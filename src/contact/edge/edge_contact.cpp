@@ -57,7 +57,7 @@ double EdgeContact::closeness(const std::vector<double>& q) const {
                              ? std::max(0.0, q[0]) + 0.0 * q[0]
                              : numeric::kernels::largest_within(q.data(), law_.gap.data(), law_.opening, q.size());
   if (!std::isfinite(largest)) {
-    throw NotConverged("contact: the position of a node is not a finite number (use a smaller step)");
+    throw NotConverged("contact: the position of a node is not a finite number", "step", "use a smaller step");
   }
   return largest;
 }

@@ -24,7 +24,8 @@ FactoredCompliance::FactoredCompliance(std::vector<double> matrix, std::size_t s
   Eigen::MatrixXd factor = numeric::dense::square(matrix_.data(), n, poll);
   const bool finite = std::all_of(matrix_.begin(), matrix_.end(), [](double w) { return std::isfinite(w); });
   if (!finite || !numeric::dense::factor(factor, poll)) {
-    throw NotConverged("contact: the compliance between the nodes is not positive definite (use fewer nodes)");
+    throw NotConverged("contact: the compliance between the nodes is not positive definite", "nodes",
+                       "use fewer nodes");
   }
   for (std::size_t i = 0; i < size; ++i) {
     for (std::size_t j = i - std::min<std::size_t>(i, 2); j <= i; ++j) {

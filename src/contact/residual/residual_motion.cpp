@@ -60,7 +60,8 @@ MatrixXd root(const MatrixXd& moment, const Poll& poll) {
 
 MatrixXd factored(MatrixXd positive, const Poll& poll) {
   if (!dense::factor(positive, poll)) {
-    throw NotConverged("contact: the compliance between the nodes is not positive definite (use fewer nodes)");
+    throw NotConverged("contact: the compliance between the nodes is not positive definite", "nodes",
+                       "use fewer nodes");
   }
   return positive;
 }

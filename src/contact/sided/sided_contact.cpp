@@ -112,7 +112,7 @@ double SidedContact::reached(const VectorXd& x) const {
 
 void SidedContact::solve(const VectorXd& x, const VectorXd& y) {
   if (!x.allFinite() || !y.allFinite()) {
-    throw NotConverged("contact: the position of a node is not a finite number (use a smaller step)");
+    throw NotConverged("contact: the position of a node is not a finite number", "step", "use a smaller step");
   }
   if (reached(x) == 0.0) {
     force_.setZero();

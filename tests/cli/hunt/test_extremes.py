@@ -68,13 +68,13 @@ def hold(stoss, words, interrupt=None):
 
 
 @pytest.mark.parametrize("what", CALLS)
-def test_rule_holds_for_all_sizes(stoss, what):
-    for size in SIZES:
+def test_rule_holds_for_extreme_sizes(stoss, what):
+    for size in ("1e150", "1e-30"):
         hold(stoss, f"restitution {CALLS[what](size)}")
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("command", ["impact", "oblique --friction 0.2 --angle 30", "predict"])
+@pytest.mark.parametrize("command", ["restitution", "impact", "oblique --friction 0.2 --angle 30", "predict"])
 @pytest.mark.parametrize("what", CALLS)
 def test_rule_holds_for_all_sizes_long(stoss, command, what):
     if (command == "predict" and not what.startswith("sphere")) or (command[0] == "o" and what.startswith("rod")):
@@ -84,7 +84,7 @@ def test_rule_holds_for_all_sizes_long(stoss, command, what):
 
 
 @pytest.mark.parametrize("command", ["restitution", "impact", "oblique --friction 0.2 --tangential 0.01"])
-@pytest.mark.parametrize("thickness", ["1e150", "1e200", "1e300"])
+@pytest.mark.parametrize("thickness", ["1e200"])
 def test_a_plate_of_any_thickness_is_a_half_space(stoss, command, thickness):
     """What bends as little is none that gives way, however many digits its stiffness would have."""
     for against in (f"plate,thickness={thickness}", f"plate,thickness=1/thickness={thickness}"):
@@ -93,7 +93,7 @@ def test_a_plate_of_any_thickness_is_a_half_space(stoss, command, thickness):
         assert float(row["restitution"]) == pytest.approx(float(thick["restitution"]), abs=1e-6)
 
 
-@pytest.mark.parametrize("after", [0.5, 1, 2])
+@pytest.mark.parametrize("after", [0.5, pytest.param(2, marks=pytest.mark.long)])
 @pytest.mark.parametrize(
     "words", [f"impact {BALL} --against {STIFF_BASE}", f"impact {BALL} --loss-time 0.3 --against {FIVE}",
               f"oblique {BALL} --tangential 0.01 --friction 0.2 --against {STIFF_BASE}"]

@@ -215,8 +215,9 @@ void require_resolved(const ObliqueImpact& impact) {
   const ObliqueLedger& energy = impact.energy;
   const double missing = std::max({std::abs(impact.energy_error), -energy.friction, -energy.unresolved});
   if (missing <= most) return;
-  throw NotConverged("impact: " + std::to_string(missing) +
-                     " of the energy is unaccounted for in the motion along the surface (use a smaller step)");
+  throw NotConverged(
+      "impact: " + std::to_string(missing) + " of the energy is unaccounted for in the motion along the surface",
+      "step", "use a smaller step");
 }
 
 }  // namespace
