@@ -5,17 +5,14 @@ import stat
 import subprocess
 import sys
 
+import matplotlib
 import numpy as np
 import pytest
-
 import stoss
+from matplotlib import pyplot
+from matplotlib.animation import FFMpegWriter
+from PIL import Image
 from stoss.results import _replay
-
-matplotlib = pytest.importorskip("matplotlib")
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
-from matplotlib.animation import FFMpegWriter  # noqa: E402
-from PIL import Image  # noqa: E402
 
 
 @pytest.fixture(autouse=True)

@@ -1,16 +1,14 @@
-"""Curves: what is drawn is what the results hold."""
+"""Curves of restitution, and of the quasi-static theory: what is drawn is what the results hold."""
 
 import dataclasses
 
 import numpy as np
 import pytest
-
 import stoss
+from matplotlib import pyplot
+from matplotlib.container import ErrorbarContainer
+from stoss import quasistatic
 
-matplotlib = pytest.importorskip("matplotlib")
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
-from matplotlib.container import ErrorbarContainer  # noqa: E402
 
 pytestmark = pytest.mark.usefixtures("closed")
 
@@ -51,17 +49,6 @@ def test_values_and_errors(curve, quantity, label):
     assert [text.get_text() for text in ax.get_legend().get_texts()] == ["ν = 0.33"]
 
 
-def test_legend_of_a_dense_curve_shows_a_line_without_bars():
-    dense = stoss.restitution(poisson=0.33, speed=np.geomspace(0.05, 0.2, 26))
-    handles, labels = stoss.plot.restitution(dense).get_legend_handles_labels()
-    assert labels == ["ν = 0.33"] and isinstance(handles[0], matplotlib.lines.Line2D)
-
-
-def test_linear_scale(curve):
-    ax = stoss.plot.restitution(curve, quantity="lost_fraction", scale="linear")
-    assert (ax.get_xscale(), ax.get_yscale()) == ("linear", "linear")
-
-
 def test_a_curve_for_each_poisson_number(curves):
     ax = stoss.plot.restitution(curves, label="hard wall")
     for k, (each, name) in enumerate(zip(drawn(ax), ("ν = −0.2", "ν = 0.33"))):
@@ -80,12 +67,6 @@ def test_only_curves_of_few_points_have_markers(curve):
     assert len(bars(line)) == 60
     asked = drawn(stoss.plot.restitution(dense, marker="s", capsize=2))[0]
     assert asked.lines[0].get_marker() == "s" and len(asked.lines[1]) == 2
-
-
-def test_order_of_speeds_does_not_matter(curve):
-    mixed = stoss.restitution(poisson=0.33, speed=SPEEDS[[3, 0, 4, 1, 2]])
-    (only,) = drawn(stoss.plot.restitution(mixed))
-    assert np.array_equal(only.lines[0].get_ydata(), curve.restitution)
 
 
 def test_missing_and_doubtful_values(curve):
@@ -112,13 +93,6 @@ def test_an_unknown_error_leaves_the_value(curve, unknown):
     assert len(bars(only)) == np.isfinite(error).sum()
 
 
-def test_nothing_to_draw(curve):
-    nothing = np.full(SPEEDS.shape, np.nan)
-    ax = stoss.plot.restitution(dataclasses.replace(curve, restitution=nothing))
-    assert drawn(ax)[0].lines[0].get_xdata().size == 0
-    stoss.plot.restitution(stoss.restitution(poisson=0.33, speed=[])).figure.canvas.draw()
-
-
 def test_single_value():
     value = stoss.restitution(poisson=0.33, speed=0.1)
     ax = value.plot()
@@ -131,13 +105,6 @@ def test_metres_per_second():
     ax = stoss.restitution(steel, speed=[1.0, 10.0]).plot()
     np.testing.assert_allclose(drawn(ax)[0].lines[0].get_xdata(), [1.0, 10.0])
     assert ax.get_xlabel() == "speed v / (m/s)"
-
-
-@pytest.mark.filterwarnings("ignore::stoss.StossWarning")
-def test_rod():
-    ax = stoss.restitution(stoss.Rod(), speed=[0.1, 0.2]).plot()
-    assert drawn(ax)[0].get_label() == "rod"
-    assert drawn(ax)[0].lines[0].get_xdata().size == 2
 
 
 def test_against_poisson_if_there_is_one_speed():
@@ -157,17 +124,6 @@ def test_many_poisson_numbers_have_few_names():
     assert len({tuple(each.lines[0].get_color()) for each in drawn(ax)}) == 9
 
 
-def test_given_axes_are_the_only_ones_touched(curve, curves):
-    figure, (left, right) = pyplot.subplots(1, 2)
-    for _ in range(2):
-        assert curve.plot(left) is left
-    assert stoss.plot.restitution(curve, left, label="again", color="black", linestyle=":") is left
-    assert pyplot.get_fignums() == [figure.number] and figure.axes == [left, right]
-    assert not right.has_data() and right.get_xlabel() == ""
-    colors = [each.lines[0].get_color() for each in drawn(left)]
-    assert colors[0] != colors[1] and colors[2] == "black"
-
-
 def test_new_figures_fit_a_column(curve):
     ax = curve.plot()
     assert ax.figure.get_figwidth() == 3.4
@@ -177,29 +133,82 @@ def test_new_figures_fit_a_column(curve):
     assert sizes == {7.0, 8.0} and ax.get_legend().get_texts()[0].get_size() == 7.0
 
 
-@pytest.mark.parametrize(
-    "arguments, message",
-    [
-        ({"quantity": "contact_time"}, "quantity: got 'contact_time', allowed 'restitution' or 'lost_fraction'"),
-        ({"scale": 3}, "scale: got 3, allowed 'log' or 'linear'"),
-        ({"ax": 3}, "ax: got 3, allowed one matplotlib Axes or None"),
-        ({"result": 0.9}, "result: got 0.9, allowed a stoss.Restitution"),
-    ],
-)
-def test_refusals(curve, arguments, message):
-    with pytest.raises(stoss.InvalidInput) as caught:
-        stoss.plot.restitution(**({"result": curve} | arguments))
-    assert str(caught.value).startswith(message)
-    assert pyplot.get_fignums() == []
-
-
-def test_array_of_axes_is_refused(curve):
-    _, several = pyplot.subplots(1, 2)
-    with pytest.raises(stoss.InvalidInput, match="take one"):
-        curve.plot(several)
-
-
 def test_failure_leaves_no_figure(curve):
     with pytest.raises(AttributeError):
         stoss.plot.restitution(curve, colour="red")
     assert pyplot.get_fignums() == []
+
+
+FALLING = np.array([1e-3, 1e-8, 0.05, 1e-100, 0.01])
+
+
+@pytest.fixture(scope="module")
+def estimate():
+    with pytest.warns(stoss.StossWarning):
+        return quasistatic.rayleigh(poisson=[[0.33], [0.0]], speed=FALLING, cutoff=12)
+
+
+def legend(ax):
+    return [text.get_text() for text in ax.get_legend().get_texts()]
+
+
+def test_contact_time():
+    slow = quasistatic.slow_impact(poisson=[[0.33], [-0.5]], speed=FALLING)
+    ax = slow.plot()
+    assert (ax.get_xlabel(), ax.get_ylabel(), ax.get_xscale()) == ("speed v / c", "contact time τ / (R/c)", "log")
+    order = np.argsort(FALLING)
+    for line, row, name in zip(ax.lines, (1, 0), ("ν = −0.5", "ν = 0.33")):
+        assert np.array_equal(line.get_xdata(), FALLING[order])
+        assert np.array_equal(line.get_ydata(), slow.contact_time[row, order])
+        assert line.get_label() == name
+    assert len(ax.lines) == 2 and legend(ax) == ["ν = −0.5", "ν = 0.33"]
+    ax.figure.canvas.draw()
+
+
+def test_lost_fraction(estimate):
+    ax = estimate.plot()
+    assert (ax.get_ylabel(), ax.get_yscale()) == ("lost fraction 1 − ε²", "log")
+    order = np.argsort(FALLING)
+    full, hollow = ax.lines[0::2], ax.lines[1::2]
+    for k, row in enumerate((1, 0)):
+        assert np.array_equal(full[k].get_xdata(), FALLING[order])
+        assert np.array_equal(full[k].get_ydata(), estimate.lost_fraction[row, order])
+        assert np.array_equal(hollow[k].get_xydata(), [[0.05, estimate.lost_fraction[row, 2]]])
+        assert hollow[k].get_markerfacecolor() == "white" and hollow[k].get_color() == full[k].get_color()
+    assert legend(ax) == ["ν = 0", "beyond perturbation theory", "ν = 0.33"]
+    ax.figure.canvas.draw()
+
+
+def test_band_is_the_error(estimate):
+    ax = estimate.plot()
+    known = np.argsort(FALLING)[:-1]  # all but the one beyond perturbation theory
+    for band, row in zip(ax.collections, (1, 0)):
+        ends = band.get_paths()[0].vertices
+        lost, error = estimate.lost_fraction[row, known], estimate.lost_fraction_error[row, known]
+        for k, v in enumerate(FALLING[known]):
+            y = ends[ends[:, 0] == v, 1]
+            assert y.max() == pytest.approx(lost[k] + error[k], rel=1e-12)
+            assert y.min() == pytest.approx(max(lost[k] - error[k], 1e-3 * lost[k]), rel=1e-12)
+
+
+def test_single_and_no_values():
+    ax = quasistatic.slow_impact(poisson=0.3, speed=0.01).plot()
+    assert ax.lines[0].get_marker() == "o" and ax.lines[0].get_xdata() == [0.01]
+    assert quasistatic.rayleigh(poisson=0.3, speed=0.01, cutoff=6).plot(ax) is ax
+    for make in (quasistatic.slow_impact, quasistatic.rayleigh):
+        make(poisson=0.3, speed=[]).plot().figure.canvas.draw()
+
+
+def test_pressure():
+    contact = quasistatic.static_contact(poisson=0.33, compression=0.03)
+    ax = contact.plot()
+    mine, hertz = ax.lines
+    n = contact.contact_nodes
+    assert np.array_equal(mine.get_xdata()[n:], contact.position[:n])
+    assert np.array_equal(mine.get_ydata()[n:], contact.pressure[:n])
+    assert np.array_equal(mine.get_ydata(), mine.get_ydata()[::-1])
+    expected = 0.5 * np.sqrt(np.maximum(4 * contact.force - contact.position[:n] ** 2, 0))
+    assert hertz.get_ydata()[n:] == pytest.approx(expected, abs=1e-9)
+    inner = np.abs(mine.get_xdata()) < 0.8 * contact.half_width
+    off = np.abs(mine.get_ydata() - hertz.get_ydata())[inner]
+    assert off.max() < 0.02 * contact.pressure.max()

@@ -4,13 +4,10 @@ import re
 
 import numpy as np
 import pytest
-
 import stoss
+from matplotlib import pyplot
+from matplotlib.collections import LineCollection, QuadMesh
 
-matplotlib = pytest.importorskip("matplotlib")
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
-from matplotlib.collections import LineCollection, QuadMesh  # noqa: E402
 
 pytestmark = pytest.mark.usefixtures("closed")
 
@@ -99,17 +96,6 @@ def test_colours_cover_most_of_the_area():
     assert 0.98 < area[field.von_mises <= top].sum() / area.sum() < 0.995
 
 
-def test_limit(field):
-    mesh = mesh_of(stoss.plot.stress(field, limit=1.5))
-    assert mesh.norm.vmax == 1.5 and mesh.colorbar.extend == "neither"
-
-
-def test_unstressed_disk(hit):
-    ax = hit.field(time=-1.0, radius=RADIUS, angle=ANGLE).plot()
-    assert mesh_of(ax).norm.vmax > 0.0
-    ax.figure.canvas.draw()
-
-
 def test_fringes(field):
     ax = stoss.plot.stress(field, quantity="fringes", fringe=0.05)
     mesh = mesh_of(ax)
@@ -121,40 +107,6 @@ def test_fringes(field):
     assert np.array_equal(mesh.get_coordinates()[::3, ::3, 0], field.x)
     assert (mesh.norm.vmin, mesh.norm.vmax) == (0.0, 1.0)
     assert "f = 0.05 E" in ax.figure.axes[-1].get_ylabel()
-
-
-@pytest.mark.parametrize("function", ["disk", "stress"])
-def test_given_axes_are_the_only_ones_touched(field, function):
-    figure, (left, right) = pyplot.subplots(1, 2)
-    assert getattr(stoss.plot, function)(field, left) is left
-    assert pyplot.get_fignums() == [figure.number]
-    assert not right.has_data() and right.get_title() == ""
-    assert len(figure.axes) == (3 if function == "stress" else 2)  # a colour bar of its own
-
-
-def test_without_pyplot(field):
-    figure = matplotlib.figure.Figure()
-    ax = figure.add_subplot()
-    stoss.plot.stress(field, ax)
-    figure.canvas.draw()
-    assert pyplot.get_fignums() == []
-
-
-@pytest.mark.parametrize(
-    "arguments, message",
-    [
-        ({"quantity": "heat"}, "quantity: got 'heat', allowed 'von_mises', 'principal_difference' or 'fringes'"),
-        ({"fringe": 0.0}, "fringe: got 0.0, allowed a stress above 0 (E)"),
-        ({"limit": np.inf}, "limit: got inf, allowed a stress above 0 (E)"),
-        ({"frame": 1}, "frame: got 1, allowed 0 to 0 (the field has 1 times)"),
-        ({"field": 1}, "field: got 1, allowed a stoss.Field"),
-    ],
-)
-def test_stress_refusals(field, arguments, message):
-    with pytest.raises(stoss.InvalidInput) as caught:
-        stoss.plot.stress(**({"field": field} | arguments))
-    assert str(caught.value) == message
-    assert pyplot.get_fignums() == []
 
 
 def test_field_refusals(hit, field, several):
@@ -193,27 +145,6 @@ def test_default_times(wall):
     gaps = -hit.field(time=times, radius=[1.0], angle=np.linspace(-np.pi, np.pi, 193)).x.max(axis=(1, 2))
     assert gaps[0] > 0.1 and gaps[-1] > 0.1 and min(gaps[1:-1]) < 0.03  # an exponential wall keeps its distance
     np.testing.assert_allclose(np.diff(times), np.diff(times)[0], atol=0.02)
-
-
-def test_sequence_in_given_axes(hit):
-    figure, (left, right) = pyplot.subplots(1, 2)
-    assert stoss.plot.sequence(hit, left, count=2) is left
-    assert pyplot.get_fignums() == [figure.number] and figure.axes == [left, right] and not right.has_data()
-
-
-@pytest.mark.parametrize(
-    "arguments, message",
-    [
-        ({"count": 1}, "count: got 1, allowed 2 to 64"),
-        ({"columns": 0}, "columns: got 0, allowed 1 to 64"),
-        ({"times": []}, "times: got 0 of them, allowed 1 to 64"),
-        ({"times": "now"}, "times: got 'now', allowed a number or an array of numbers"),
-    ],
-)
-def test_sequence_refusals(hit, arguments, message):
-    with pytest.raises(stoss.InvalidInput) as caught:
-        stoss.plot.sequence(hit, **arguments)
-    assert str(caught.value) == message
 
 
 def test_only_disks_have_pictures():

@@ -5,13 +5,10 @@ import sys
 
 import numpy as np
 import pytest
-
 import stoss
+from matplotlib import pyplot
+from matplotlib.collections import LineCollection
 
-matplotlib = pytest.importorskip("matplotlib")
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
-from matplotlib.collections import LineCollection  # noqa: E402
 
 pytestmark = pytest.mark.usefixtures("closed")
 
@@ -61,18 +58,6 @@ def test_mode_shape(modes, order, index, amplitude):
     assert ax.get_aspect() == 1.0 and ax.get_xlabel() == "x / R"
 
 
-def test_mode_shape_refusals(modes):
-    with pytest.raises(stoss.InvalidInput, match=r"mode: got \(n, l\) = \(2, 99\)"):
-        stoss.plot.mode_shape(modes, order=2, index=99)
-    with pytest.raises(stoss.InvalidInput, match="amplitude: got 2, allowed -1 to 1"):
-        stoss.plot.mode_shape(modes, order=2, index=0, amplitude=2)
-    with pytest.raises(stoss.InvalidInput, match="amplitude: got nan"):
-        stoss.plot.mode_shape(modes, order=2, index=0, amplitude=np.nan)
-    with pytest.raises(stoss.InvalidInput, match="modes: got 3, allowed a stoss.Modes"):
-        stoss.plot.spectrum(3)
-    assert pyplot.get_fignums() == []
-
-
 @pytest.mark.parametrize(
     "function, name, label",
     [
@@ -89,20 +74,6 @@ def test_against_time(path, function, name, label):
     assert line.get_color() == "black"
     assert (ax.get_xlabel(), ax.get_ylabel()) == ("time t / (R/c)", label)
     assert ax.get_legend().get_texts()[0].get_text() == "one"
-
-
-def test_two_curves_differ(path):
-    figure, ax = pyplot.subplots()
-    for _ in range(2):
-        assert stoss.plot.force(path, ax) is ax
-    assert ax.lines[0].get_color() != ax.lines[1].get_color()
-    assert ax.lines[0].get_linestyle() != ax.lines[1].get_linestyle()
-    assert pyplot.get_fignums() == [figure.number] and ax.get_legend() is None
-
-
-def test_plot_methods_show_the_force(hit, path):
-    assert np.array_equal(path.plot().lines[0].get_ydata(), path.force)
-    assert np.array_equal(hit.plot().lines[0].get_ydata(), hit.trajectory().force)
 
 
 def test_energies(path):
@@ -135,28 +106,6 @@ def test_ledger_of_a_rod():
     assert [bar.get_height() for bar in bars] == rod.mode_energies["after"][:4].tolist()
 
 
-@pytest.mark.parametrize(
-    "arguments, message",
-    [
-        ({"when": "before"}, "when: got 'before', allowed 'after' or 'average'"),
-        ({"orders": 0}, "orders: got 0, allowed 1 to 100"),
-        ({"indices": 2.5}, "indices: got 2.5, allowed an integer"),
-        ({"impact": None}, "impact: got None, allowed a stoss.Impact"),
-    ],
-)
-def test_ledger_refusals(hit, arguments, message):
-    with pytest.raises(stoss.InvalidInput) as caught:
-        stoss.plot.ledger(**({"impact": hit} | arguments))
-    assert str(caught.value) == message
-    assert pyplot.get_fignums() == []
-
-
-def test_trajectory_refusals(hit):
-    for function in (stoss.plot.force, stoss.plot.velocity, stoss.plot.half_width, stoss.plot.energies):
-        with pytest.raises(stoss.InvalidInput, match="trajectory: got .*, allowed a stoss.Trajectory"):
-            function(hit)
-
-
 def test_without_matplotlib(monkeypatch):
     for name in [name for name in sys.modules if name.startswith(("stoss.plot", "matplotlib"))]:
         monkeypatch.delitem(sys.modules, name)
@@ -172,12 +121,6 @@ def test_without_matplotlib(monkeypatch):
     with pytest.raises(ImportError) as caught:
         _ = stoss.plot
     assert "pip install matplotlib" in str(caught.value) and "\n" not in str(caught.value)
-
-
-def test_all_is_there():
-    for name in stoss.plot.__all__:
-        assert callable(getattr(stoss.plot, name))
-    assert stoss.animate is stoss.plot.animate
 
 
 def test_pictures_of_a_lossy_impact_have_its_heat(closed):

@@ -4,10 +4,9 @@ import warnings
 
 import numpy as np
 import pytest
-
 import stoss
 
-pytest.importorskip("matplotlib").use("Agg")
+
 pytestmark = pytest.mark.usefixtures("closed")
 
 STEEL = stoss.materials["bearing steel"]

@@ -38,17 +38,6 @@ def test_the_picture_shows_both(closed):
     assert labels == ["translation", "vibration", "dissipated", "above the cutoff"]
 
 
-def test_the_picture_goes_where_one_wants_it(closed):
-    pyplot = pytest.importorskip("matplotlib.pyplot")
-    figure, (left, right) = pyplot.subplots(1, 2)
-    sequence = stoss.bounce(BALL, speed=0.05, count=80, flight_time=30, cutoff=12)
-    assert sequence.plot(right) is right
-    assert len(figure.axes) == 3 and not left.has_data()
-    free = figure.add_axes((0.1, 0.1, 0.2, 0.2))
-    with pytest.raises(stoss.InvalidInput, match="subplots"):
-        sequence.plot(free)
-
-
 def warm(**changes):
     asked = {"speed": 0.01, "temperature": 0.01, "samples": 40, "seed": 7} | changes
     return stoss.restitution_distribution(BALL, **asked)
