@@ -1,8 +1,11 @@
 // Who meets whom: kinds, materials, modes, encounters and the contacts that are made of them.
+#include <algorithm>
 #include <map>
+#include <optional>
 
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
+#include "stoss/encounter/collision.hpp"
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/inputs.hpp"
 #include "stoss/encounter/laws.hpp"
@@ -72,6 +75,36 @@ Contact contact_at(const Encounter& encounter, double cutoff, double slowest) {
 }
 
 py::tuple to_tuple(const Scales& si) { return py::make_tuple(si.length, si.speed, si.time, si.frequency, si.force); }
+
+/// Numbers of an input of a question, in units of the first body.
+auto in_units_of_first(const Encounter& encounter, const std::string& question, const std::string& name,
+                       const Doubles& given) {
+  const auto asked =
+      std::find_if(questions().begin(), questions().end(), [&](const auto& each) { return each.second == question; });
+  if (asked == questions().end()) throw std::invalid_argument("question: one of the table");
+  const Input& its = input(asked->first, name);
+  const auto scales = si_scales(encounter);
+  const UnitSystem system = unit_system(encounter);
+  return over([&](double each) { return in_own_units(its, each, scales, system); }, given);
+}
+
+/// Collisions, a row each, in units of the first body: speed, tangential, spin, second spin, friction.
+/// @param given numbers of each, by the names of the inputs
+auto collisions(const Encounter& encounter, const std::map<std::string, Doubles>& given) {
+  std::vector<double> rows;
+  const py::ssize_t count = given.at("speed").size();
+  for (py::ssize_t i = 0; i < count; ++i) {
+    const auto number = [&](const char* name) {
+      const auto found = given.find(name);
+      return found == given.end() ? std::nullopt : std::optional(found->second.data()[i]);
+    };
+    const auto [speed, before] = own_units(
+        encounter, {number("speed").value(), number("tangential").value_or(0.0), number("angle"),
+                    number("spin").value_or(0.0), number("second_spin").value_or(0.0), number("friction").value()});
+    rows.insert(rows.end(), {speed, before.tangential, before.spin, before.second_spin, before.friction});
+  }
+  return take(std::move(rows), {count, 5});
+}
 
 /// The modes of a kind of body, and the displacement of one of them.
 template <typename Mode, typename Displacement>
@@ -144,7 +177,19 @@ void bind_encounters(py::module_& module) {
   seal(handle);
   module.def(
       "encounter", [](const std::string& document) { return encounter_from_json(document); }, py::arg("document"));
+  module.def(
+      "participant",
+      [](const std::string& where, const std::string& text) { return to_json(participant_from_json(where, text)); },
+      py::arg("where"), py::arg("text"), "the JSON of a body or of what it meets, as the core reads it");
   handle.def("to_json", [](const Encounter& self) { return to_json(self); })
+      .def("own", &in_units_of_first, py::arg("question"), py::arg("name"), py::arg("given"))
+      .def("collisions", &collisions, py::arg("given"))
+      .def(
+          "in_c",
+          [](const Encounter& self, const Doubles& speeds) {
+            return over([unit = speed_unit(self)](double each) { return each / unit; }, speeds);
+          },
+          py::arg("speeds"), "in any range")
       .def("contact", &contact_at, py::arg("cutoff"), py::arg("slowest"))
       .def(
           "usual_cutoff",

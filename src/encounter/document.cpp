@@ -207,6 +207,12 @@ Json described(const Participant& of) {
 
 }  // namespace
 
+Participant participant_from_json(const std::string& where, std::string_view text) {
+  return participant(where, parsed(where, text));
+}
+
+std::string to_json(const Participant& participant) { return described(participant).dump(); }
+
 Encounter encounter_from_json(std::string_view text) {
   const Json document = parsed("encounter", text);
   if (object("encounter", document).contains("format")) require_format("format", document["format"], encounter_format);

@@ -26,4 +26,11 @@ namespace stoss {
 /// Writes a document that reads back as the same encounter, on one line.
 [[nodiscard]] std::string to_json(const Encounter& encounter);
 
+/// Reads one of both as a document has it. What it leaves out, and whether its numbers are in their ranges, only a
+/// whole encounter tells. @param where what refusals call it @throws InvalidInput as encounter_from_json
+[[nodiscard]] Participant participant_from_json(const std::string& where, std::string_view text);
+
+/// Writes it as a document has it, on one line.
+[[nodiscard]] std::string to_json(const Participant& participant);
+
 }  // namespace stoss

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import contextlib
 import dataclasses
-from typing import Iterator, Union
+from typing import Union
 
-from stoss._errors import InvalidInput
 from stoss.bodies._material import Material
 from stoss.bodies._modal import ModalBody
 from stoss.bodies._solid import KINDS, LEFT_OUT, Solid, is_rigid
@@ -129,22 +127,3 @@ def shown(body: Body | Unbounded, against: object = None) -> str:
     lengths = [each.name for each in KINDS[body._kind].parameters if each.unit == "m"]
     said += [f"{name}={getattr(body, name):g} m" for name in lengths]
     return f"{type(body).__name__}({', '.join([*said, *['rigid'] * is_rigid(body)])})"
-
-
-def speed_unit(body: Body | None) -> float:
-    """What a speed that a user gives is divided by."""
-    return 1.0 if body is None or body.material is None else body.scales.speed
-
-
-@contextlib.contextmanager
-def speeds_in_si(body: Body | None) -> Iterator[None]:
-    """Says to a user who thinks in SI what the core's refusal of a speed or a spin means."""
-    try:
-        yield
-    except InvalidInput as error:
-        units = {"speed": "c is {speed:.6g} m/s", "tangential": "c is {speed:.6g} m/s"}
-        units |= {"spin": "c/R is {frequency:.6g} rad/s", "second_spin": "c/R is {frequency:.6g} rad/s"}
-        if body is None or body.material is None or error.name not in units:
-            raise
-        unit = units[error.name].format(**body.scales._asdict())
-        raise error.renamed(error.name, f"with this material {unit}") from None

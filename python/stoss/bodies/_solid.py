@@ -8,6 +8,9 @@ import json
 from types import MappingProxyType
 from typing import Any, ClassVar, Mapping, NamedTuple, TypeVar
 
+import numpy as np
+from numpy.typing import NDArray
+
 from stoss import _core
 from stoss._arguments import boolean, brief, instance, number, refusal
 from stoss._documentation import with_fields
@@ -138,7 +141,7 @@ class Solid:
         """SI values of the units of all results of which this is the first body."""
         if self.material is None:
             raise AttributeError(f"scales: {self!r} has no material (make it with material=stoss.Material(...))")
-        return _scales(self)
+        return Scales(*alone(self).scales())
 
     def _numbers(self) -> Specification:
         """It in plain types by its numbers, as an encounter of bodies without a material has it."""
@@ -186,9 +189,21 @@ def describe(solid: Solid) -> Specification:
 
 
 @functools.lru_cache(maxsize=64)
-def _scales(solid: Solid) -> Scales:
+def alone(solid: Solid) -> _core.Encounter:
+    """An elastic body by itself, in the units in which it is given: it knows those of all that comes with it."""
     elastic = {name: value for name, value in describe(solid).items() if name != "rigid"}
-    return Scales(*_core.encounter(json.dumps({"first": elastic})).scales())
+    return _core.encounter(json.dumps({"first": elastic}))
+
+
+def own_units(body: Solid, question: str, **given: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:
+    """Inputs of a question in units of the body. Refuses numbers that are out of range, as they were given."""
+    its = alone(body)
+    return tuple(its.own(question, name, each.ravel()).reshape(each.shape) for name, each in given.items())
+
+
+def own_number(body: Solid, question: str, name: str, given: Any) -> float:
+    """The same of one number, as it comes from a user."""
+    return float(own_units(body, question, **{name: np.array(number(name, given))})[0])
 
 
 def is_rigid(solid: Any) -> bool:

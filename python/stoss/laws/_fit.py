@@ -15,8 +15,9 @@ from stoss import _core
 from stoss._arguments import boolean, choice, instance, integer, number, numbers, refusal
 from stoss._documentation import documented
 from stoss._errors import InvalidInput, StossWarning
-from stoss.bodies._bodies import Sphere, shown, speed_unit, speeds_in_si
+from stoss.bodies._bodies import Sphere, shown
 from stoss.bodies._encounter import Against, choose_against
+from stoss.bodies._solid import own_units
 from stoss.bodies._walls import HalfSpace, HardWall
 from stoss.export._files import write_lines
 from stoss.results._result import Column, Result
@@ -202,8 +203,8 @@ def fit(
     slowest, fastest = _range(speed)
     chosen = choice("law", law, LAWS)
     mu, count, shows = number("friction", friction), integer("threads", threads), boolean("progress", progress)
-    with speeds_in_si(ball):
-        _core.check_curve(np.array([slowest, fastest]) / speed_unit(ball), 1e-3, 1e-6, count)
+    (speeds,) = own_units(ball, "fit", speed=np.array([slowest, fastest]))
+    _core.check_curve(speeds, 1e-3, 1e-6, count)
     if not 0.0 <= mu <= 5.0:
         raise refusal("friction", friction, "0 to 5")
     wording = None
@@ -223,7 +224,7 @@ def fit(
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", StossWarning)  # said below, once
         impacts: Impacts = elastic.impacts_of(ball, met, slowest, fastest, mu if tells else 0.0, count, shows)
-    warn_at(ball, met, np.array([slowest, fastest]) / speed_unit(ball), 2)
+    warn_at(ball, met, speeds, 2)
     made: Law = laws.LAWS[chosen].fitted(impacts, spring, ratios or laws.KAPPA)
     made = dataclasses.replace(made, friction=mu)  # also where nothing is fitted to it
     return _result(ball, met, chosen, program, mu, made, impacts, () if wording is None else tuple(wording.write(made)))

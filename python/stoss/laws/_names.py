@@ -4,24 +4,12 @@ from __future__ import annotations
 
 from typing import Mapping
 
-from stoss.laws._chrono import CHRONO
 from stoss.laws._collision import Spring
-from stoss.laws._hunt_crossley import HuntCrossley
-from stoss.laws._lammps import LAMMPS
+from stoss.laws._granular import LAMMPS, LIGGGHTS, YADE
 from stoss.laws._law import KAPPA, Law
-from stoss.laws._liggghts import LIGGGHTS
-from stoss.laws._linear import Linear
-from stoss.laws._mercury import MERCURY
-from stoss.laws._mujoco import Mujoco
-from stoss.laws._mujoco_xml import MUJOCO
-from stoss.laws._program import Program
-from stoss.laws._table import Table
-from stoss.laws._thornton import Thornton
-from stoss.laws._tsuji import Tsuji
-from stoss.laws._two_columns import TWO_COLUMNS
-from stoss.laws._viscoelastic import Viscoelastic
-from stoss.laws._walton import Walton
-from stoss.laws._yade import YADE
+from stoss.laws._power import HuntCrossley, Linear, Mujoco, Tsuji, Viscoelastic
+from stoss.laws._program import CHRONO, MERCURY, MUJOCO, TWO_COLUMNS, Program
+from stoss.laws._rules import Table, Thornton, Walton
 
 __all__ = ["KAPPA", "LAWS", "PROGRAMS", "Spring"]
 
@@ -29,12 +17,6 @@ ALL: tuple[type[Law], ...] = (Linear, Tsuji, Viscoelastic, HuntCrossley, Thornto
 LAWS: Mapping[str, type[Law]] = {law.NAME: law for law in ALL}
 
 PROGRAMS: Mapping[str, Program] = {
-    "lammps": LAMMPS,
-    "liggghts": LIGGGHTS,
-    "yade": YADE,
-    "mercurydpm": MERCURY,
-    "chrono": CHRONO,
-    "mujoco": MUJOCO,
-    "acutrace": TWO_COLUMNS,
-    "aspherix": TWO_COLUMNS,
-}
+    "lammps": LAMMPS, "liggghts": LIGGGHTS, "yade": YADE, "mercurydpm": MERCURY, "chrono": CHRONO, "mujoco": MUJOCO,
+    "acutrace": TWO_COLUMNS, "aspherix": TWO_COLUMNS,
+}  # fmt: skip

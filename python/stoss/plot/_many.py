@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from stoss._arguments import refusal
 from stoss._errors import NotConverged
-from stoss.bodies._bodies import speed_unit
 from stoss.plot import _style
 from stoss.results._bounce import Bounces
 from stoss.results._curves import restitution
@@ -120,7 +119,7 @@ def distribution(result: RestitutionDistribution, ax: Axes | None = None, *, bin
 
 def _at_rest(result: RestitutionDistribution) -> float:
     """ε of the bodies when they do not vibrate, as accurate as the samples."""
-    speed = result.speed * speed_unit(result.body)
+    speed = result.speed if result.material is None else result.speed * result.body.scales.speed
     asked: dict[str, Any] = {"against": result.against, "tolerance": 1e-15, "absolute": result.error}
     try:
         return float(restitution(result.body, speed=speed, **asked).restitution)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss._arguments import numbers
-from stoss.bodies._bodies import Body, Rod, speed_unit
+from stoss.bodies._bodies import Body, Rod
 from stoss.plot import _style
 from stoss.results._function import RestitutionFunction
 from stoss.results._pair_table import PairTable
@@ -196,7 +196,7 @@ def pair_table(table: PairTable, ax: Axes | None = None, *, ratio: ArrayLike | N
     places = np.linspace(float(ends[0]), float(ends[1]), USUAL)
     usual = np.clip((1 + places) / (1 - places), table.ratio[0], table.ratio[-1])
     chosen = usual if ratio is None else numbers("ratio", ratio).ravel()
-    unit = speed_unit(table.body)
+    unit = table._given_unit[1]
     speed = np.clip(np.geomspace(table.speed[0], table.speed[-1], POINTS), table.speed[0], table.speed[-1]) * unit
     if table.body.material is not None:  # rounded inwards
         speed = np.clip(speed, np.nextafter(speed[0], np.inf), np.nextafter(speed[-1], 0.0))

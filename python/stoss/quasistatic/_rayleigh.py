@@ -13,12 +13,12 @@ from stoss import _core
 from stoss._arguments import arranged, number
 from stoss._documentation import documented
 from stoss._errors import StossWarning
-from stoss.bodies._bodies import Disk, Sphere, speeds_in_si
+from stoss.bodies._bodies import Disk, Sphere
 from stoss.export._text import span, with_error
 from stoss.quasistatic._slow_impact import OfSlowImpacts, slow_inputs
 from stoss.results._quantities import Number, RayleighQuantities
 from stoss.results._result import columns, picture
-from stoss.results._si import warn_of_materials
+from stoss.results._si import told_in_c, warn_of_materials
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -97,7 +97,7 @@ def rayleigh(
     if isinstance(body, Sphere):
         function, row = _core.point_rayleigh, _core.point_rayleigh_row
     table, energies = np.zeros(speeds.size, dtype=row), None
-    with speeds_in_si(body):
+    with told_in_c(body):
         for nu in np.unique(poissons):
             where = np.flatnonzero(poissons == nu)
             table[where], energies = function(chosen, float(nu), speeds.ravel()[where], highest)

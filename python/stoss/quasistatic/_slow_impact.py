@@ -11,12 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss._arguments import arranged, broadcast, numbers
 from stoss._documentation import documented
-from stoss.bodies._bodies import Disk, Sphere, speed_unit, speeds_in_si
+from stoss.bodies._bodies import Disk, Sphere
 from stoss.export._text import span
 from stoss.quasistatic._compression import choose_law, poissons_of
 from stoss.results._quantities import Number, SlowImpactQuantities
 from stoss.results._result import columns, picture
-from stoss.results._si import MayYield, warn_of_materials
+from stoss.results._si import MayYield, in_c, told_in_c, warn_of_materials
 
 
 class OfSlowImpacts(MayYield):
@@ -60,7 +60,7 @@ def slow_inputs(body: Any, speed: Any, poisson: Any, law: Any) -> tuple[str, NDA
     """The law, and Poisson's ratios and speeds in c of one shape."""
     poissons = poissons_of(body, poisson)
     chosen = choose_law(body, law)
-    poissons, speeds = broadcast(3, poisson=poissons, speed=numbers("speed", speed) / speed_unit(body))
+    poissons, speeds = broadcast(3, poisson=poissons, speed=in_c(body, numbers("speed", speed)))
     return chosen, poissons, speeds
 
 
@@ -85,7 +85,7 @@ def slow_impact(
         SlowImpact(poisson=0.3, speed=0.0001 c: contact time 30.5867 R/c, compression 0.00104057 R)
     """
     chosen, poissons, speeds = slow_inputs(body, speed, poisson, law)
-    with speeds_in_si(body):
+    with told_in_c(body):
         function = _core.point_slow_impact if isinstance(body, Sphere) else _core.slow_impact
         table = function(chosen, poissons.ravel(), speeds.ravel())
     values = {"poisson": poissons, "speed": speeds, **columns(table)}

@@ -8,8 +8,9 @@ from stoss import _core
 from stoss._arguments import boolean, choice, integer, number, numbers
 from stoss._documentation import documented
 from stoss._errors import InvalidInput
-from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
+from stoss.bodies._bodies import Body
 from stoss.bodies._encounter import choose_against, choose_body, encounter
+from stoss.bodies._solid import own_units
 from stoss.bodies._walls import HardWall, Unbounded
 from stoss.results._progress import waiting
 from stoss.results._rule import CollisionRule
@@ -57,7 +58,7 @@ def collision_rule(
     """
     chosen = choose_body(body, poisson, rigid=True)
     met = choose_against(chosen, against, (HardWall,))
-    ranges = {"speed": numbers("speed", speed) / speed_unit(chosen)}
+    ranges = {"speed": numbers("speed", speed)}
     if ratio is not None:
         ranges["ratio"] = numbers("ratio", ratio)
     for name, ends in ranges.items():
@@ -68,8 +69,8 @@ def collision_rule(
     outside = choice("beyond", beyond, ("error", "clamp"))
     rubbing = None if friction is None else number("friction", friction)
     limits, count = (number("error", error), number("tolerance", tolerance)), integer("threads", threads)
-    pairs = {name: (float(ends[0]), float(ends[1])) for name, ends in ranges.items()}
-    with speeds_in_si(chosen), waiting(boolean("progress", progress), "collision_rule"):
+    pairs = dict(zip(ranges, (each.tolist() for each in own_units(chosen, "table", **ranges))))
+    with waiting(boolean("progress", progress), "collision_rule"):
         made = _core.adaptive_rule(encounter(chosen, met), pairs["speed"], pairs.get("ratio"), *limits, rubbing, count)
     normal, along, alike = made.given()
     warn_at(chosen, met, pairs["speed"], 2)

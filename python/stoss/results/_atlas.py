@@ -17,13 +17,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss._arguments import arranged, numbers, refusal
 from stoss._documentation import documented
-from stoss.bodies._bodies import Body, Disk, Sphere, speed_unit
+from stoss.bodies._bodies import Body, Disk, Sphere
 from stoss.bodies._encounter import Against, choose_against, choose_body
 from stoss.bodies._walls import UNBOUNDED, HalfPlane, HalfSpace, HardWall, Unbounded
 from stoss.export._text import span, with_error
 from stoss.results._quantities import Number
 from stoss.results._result import Column
-from stoss.results._si import SpeedInSi, warn_at
+from stoss.results._si import SpeedInSi, in_c, warn_at
 
 Array = NDArray[np.float64]
 
@@ -100,12 +100,11 @@ def atlas(
         first, weights = stencil(place, count)
         values = np.tensordot(weights[0], values[first[0] : first[0] + 4], 1)
         error = error[_cell(place, count)].max(axis=(0, 1))
-    given, unit = numbers("speed", speed), speed_unit(chosen)
-    speeds, found, bars = (np.empty(given.size) for _ in range(3))
+    given = numbers("speed", speed)
+    speeds, found, bars = in_c(chosen, given).ravel(), np.empty(given.size), np.empty(given.size)
     many = 65536  # between which Ctrl-C is heeded
     for begin in range(0, given.size, many):
         part = slice(begin, begin + many)
-        speeds[part] = given.ravel()[part] / unit
         place, count = _places("speed in c", table["speed"], speeds[part], np.log)
         first, weights = stencil(place, count)
         found[part] = (weights * values[first[:, None] + np.arange(4)]).sum(axis=1)

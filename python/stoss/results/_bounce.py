@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core
-from stoss._arguments import boolean, integer, number, optional_number
+from stoss._arguments import boolean, integer
 from stoss._documentation import documented
 from stoss._errors import Interrupted, NotConverged, StossWarning
-from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
+from stoss.bodies._bodies import Body, shown
 from stoss.bodies._encounter import Against, choose_against, choose_body, choose_cutoff, choose_tail, contact
+from stoss.bodies._solid import own_number
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import UNBOUNDED, ExponentialWall, HardWall
 from stoss.export._text import span
@@ -121,19 +122,17 @@ def bounce(
         True
     """
     chosen = choose_body(body, poisson, rigid=True)
-    first = number("speed", speed) / speed_unit(chosen)
+    first = own_number(chosen, "bounce", "speed", speed)
+    given = {"flight_time": flight_time, "gravity": gravity, "decay_time": decay_time}
+    own = {name: own_number(chosen, "bounce", name, each) for name, each in given.items() if each is not None}
+    flight, weight, decay = map(own.get, given)
     met = choose_against(chosen, against, (HardWall, ExponentialWall))
     slowest = _core.slowest_bounce(first) if isinstance(met, UNBOUNDED) else first
     at, times = choose_cutoff(cutoff, chosen, met, slowest, most=20.0), integer("count", count)
-    unit = chosen.scales.time if chosen.material is not None else 1.0
-    flight, decay = optional_number("flight_time", flight_time), optional_number("decay_time", decay_time)
-    weight = optional_number("gravity", gravity)
-    flight, decay = (None if value is None else value / unit for value in (flight, decay))
-    weight = None if weight is None else weight * unit / speed_unit(chosen)
     answer, modes = choose_tail(tail), choose_state(state)
     done: list[NDArray[Any]] = []
     stopped, reason = False, ""
-    with speeds_in_si(chosen), waiting(boolean("progress", progress), "bounce"):
+    with waiting(boolean("progress", progress), "bounce"):
         resolved = contact(chosen, met, at, slowest)
         try:
             reason = _core.bounce(resolved, answer, first, times, flight, weight, decay, modes, done)

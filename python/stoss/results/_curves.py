@@ -10,8 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss._arguments import arranged, boolean, broadcast, integer, number, numbers
 from stoss._documentation import documented
-from stoss.bodies._bodies import Body, Disk, speed_unit, speeds_in_si
+from stoss.bodies._bodies import Body, Disk
 from stoss.bodies._encounter import choose_against, choose_bodies, choose_body, refinable
+from stoss.bodies._solid import own_units
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded
 from stoss.results._progress import bar
@@ -86,13 +87,14 @@ def restitution(
     else:
         bodies = [choose_body(body, poisson, rigid=True)]
         nu = np.full((), getattr(bodies[0], "poisson", np.nan))
-        poissons, speeds = broadcast(22, poisson=nu, speed=speeds / speed_unit(bodies[0]))
+        poissons, speeds = broadcast(22, poisson=nu, speed=speeds)
         places = [np.arange(speeds.size)]
     met = [choose_against(each, against, (HardWall,)) for each in bodies or [Disk(poisson=0.0)]]
     limit, enough, count = number("tolerance", tolerance), number("absolute", absolute), integer("threads", threads)
     modes = choose_state(state)
-    with speeds_in_si(bodies[0] if bodies else None):
-        _core.check_curve(speeds.ravel(), limit, enough, count)
+    if bodies:
+        (speeds,) = own_units(bodies[0], "restitution", speed=speeds)
+    _core.check_curve(speeds.ravel(), limit, enough, count)
 
     table, reasons, done = empty_rows(speeds.size), np.full(speeds.size, "interrupted", dtype=object), 0
     stopped = False

@@ -12,8 +12,9 @@ from stoss import _core
 from stoss._arguments import boolean, integer, number, refusal
 from stoss._documentation import documented
 from stoss._errors import Interrupted, InvalidInput
-from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
+from stoss.bodies._bodies import Body, shown
 from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
+from stoss.bodies._solid import own_number
 from stoss.bodies._state import Oscillation, choose_state
 from stoss.bodies._walls import HardWall, Unbounded
 from stoss.export._text import span, with_error
@@ -157,7 +158,7 @@ def restitution_distribution(
         True
     """
     chosen = choose_body(body, poisson, rigid=True)
-    initial = number("speed", speed) / speed_unit(chosen)
+    initial = own_number(chosen, "distribution", "speed", speed)
     met = choose_against(chosen, against, (HardWall,))
     count, chance, threads = integer("samples", samples), integer("seed", seed), integer("threads", threads)
     limit = number("error", error)
@@ -167,8 +168,7 @@ def restitution_distribution(
     contact = refinable(chosen, met)
     top = _core.usual_highest(contact) if highest is None else number("highest", highest)
     means = _choose_spectrum(contact, warmth, spectrum, top)
-    with speeds_in_si(chosen):
-        _core.check_distribution(contact, initial, means, count, chance, limit, threads)
+    _core.check_distribution(contact, initial, means, count, chance, limit, threads)
 
     rows, reasons = np.zeros(count, dtype=_core.sample_row), list[str]()
     stopped = False

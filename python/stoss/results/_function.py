@@ -13,14 +13,15 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss._arguments import boolean, choice, integer, number, numbers, refusal
 from stoss._documentation import documented
-from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
+from stoss.bodies._bodies import Body, shown
 from stoss.bodies._encounter import Against, choose_against, choose_body, encounter, refinable
+from stoss.bodies._solid import own_units
 from stoss.bodies._walls import HardWall, Unbounded
 from stoss.export._files import write_lines
 from stoss.export._text import brief_range
 from stoss.results._progress import waiting
 from stoss.results._result import Column, picture
-from stoss.results._si import SpeedInSi, warn_at
+from stoss.results._si import SpeedInSi, told_in_c, warn_at
 
 BEYOND = ("error", "clamp", "law")
 
@@ -72,8 +73,7 @@ class RestitutionFunction(SpeedInSi):
         return len(self.speed)
 
     def __repr__(self) -> str:
-        unit = "c" if self.body.material is None else "m/s"
-        beyond = "" if self.beyond == "error" else f", beyond={self.beyond!r}"
+        unit, beyond = self._given_unit[0], "" if self.beyond == "error" else f", beyond={self.beyond!r}"
         return (
             f"RestitutionFunction({shown(self.body, self.against)}, speed={brief_range(*self.range)} {unit}{beyond}: "
             f"{len(self)} speeds computed, error below {self.greatest_error:.2g})"
@@ -82,15 +82,14 @@ class RestitutionFunction(SpeedInSi):
     @property
     def range(self) -> tuple[float, float]:
         """Slowest and fastest speed, in the unit in which it is called."""
-        unit = speed_unit(self.body)
-        return float(self.speed[0] * unit), float(self.speed[-1] * unit)
+        return float(self._given_speed[0]), float(self._given_speed[-1])
 
     @property
     def knots(self) -> NDArray[Any]:
         """The computed values: a structured array of speed (in the unit of the call), restitution and error."""
         names = ["speed", "restitution", "error"]
         table = np.zeros(len(self), dtype=[(name, np.float64) for name in names])
-        table["speed"] = self.speed * speed_unit(self.body)
+        table["speed"] = self._given_speed
         table["restitution"], table["error"] = self.restitution, self.restitution_error
         table.flags.writeable = False
         return table
@@ -117,10 +116,9 @@ class RestitutionFunction(SpeedInSi):
             >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3), beyond="clamp").to_c("restitution.h")
         """
         provenance = [line[2:].rstrip("\n") for line in self._lines() if line.startswith("# ")]
-        unit = "c" if self.body.material is None else "m/s"
         if not isinstance(name, str):
             raise refusal("name", name, "a str")
-        write_lines(path, [self._core.c_header(name, unit, speed_unit(self.body), provenance)])
+        write_lines(path, [self._core.c_header(name, *self._given_unit, provenance)])
 
     @documented
     def to_two_column(self, path: str | os.PathLike[str], *, error: float | None = None) -> None:
@@ -137,7 +135,7 @@ class RestitutionFunction(SpeedInSi):
             >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3)).to_two_column("disk.txt", error=2e-3)
         """
         limit = 2.0 * self.greatest_error if error is None else number("error", error)
-        write_lines(path, [self._core.two_column(limit, speed_unit(self.body))])
+        write_lines(path, [self._core.two_column(limit, self._given_unit[1])])
 
     @functools.cached_property
     def _core(self) -> _core.RestitutionFunction:
@@ -150,10 +148,8 @@ class RestitutionFunction(SpeedInSi):
         return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
 
     def _of(self, speed: ArrayLike, function: Any) -> Any:
-        given = numbers("speed", speed)
-        with speeds_in_si(self.body):
-            values = function(given.ravel() / speed_unit(self.body)).reshape(given.shape)
-        return values if given.ndim else float(values)
+        values = self._at(function, speed)
+        return values if values.ndim else float(values)
 
     def _table(self) -> dict[str, Column]:
         names = ("speed", "restitution", "restitution_error")
@@ -220,10 +216,10 @@ def restitution_function(
     ends = numbers("speed", speed)
     if ends.shape != (2,):
         raise refusal("speed", speed, "two numbers, the slowest and the fastest")
-    slowest, fastest = (float(each) for each in ends / speed_unit(chosen))
+    slowest, fastest = own_units(chosen, "table", speed=ends)[0].tolist()
     outside = choose_beyond(beyond, chosen, met, None)
     limit, count = number("error", error), integer("threads", threads)
-    with speeds_in_si(chosen), waiting(boolean("progress", progress), "restitution_function"):
+    with waiting(boolean("progress", progress), "restitution_function"):
         made = _core.adaptive_function(refinable(chosen, met), slowest, fastest, limit, count)
     function = function_of(chosen, met, outside, None, *made.knots(), made.interpolation_errors())
     warn_at(chosen, met, function.speed, 2)
@@ -235,5 +231,5 @@ def function_of(*given: Any) -> RestitutionFunction:
     made = RestitutionFunction(*given)
     for each in (made.speed, made.restitution, made.restitution_error):
         each.flags.writeable = False
-    with speeds_in_si(made.body):
+    with told_in_c(made.body):
         return dataclasses.replace(made, interpolation_error=made._core.interpolation_errors())

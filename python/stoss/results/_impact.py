@@ -7,11 +7,12 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from stoss._arguments import boolean, flags, integer, number, optional_number
+from stoss._arguments import boolean, flags, integer, optional_number
 from stoss._documentation import documented
 from stoss._errors import InvalidInput
-from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
+from stoss.bodies._bodies import Body
 from stoss.bodies._encounter import Against, choose_against, choose_body, choose_cutoff, choose_tail
+from stoss.bodies._solid import own_number
 from stoss.bodies._state import State
 from stoss.bodies._walls import ExponentialWall, HardWall
 from stoss.results import _replay, _sound
@@ -101,7 +102,7 @@ def impact(
         0.989
     """
     chosen = choose_body(body, poisson, rigid=True)
-    initial = number("speed", speed) / speed_unit(chosen)
+    initial = own_number(chosen, "impact", "speed", speed)
     met = choose_against(chosen, against, (HardWall, ExponentialWall))
     at = choose_cutoff(cutoff, chosen, met, initial)
     count = None if nodes is None else integer("nodes", nodes)
@@ -111,7 +112,7 @@ def impact(
         hint = "elsewhere the compliance of the other modes counts"
         got = f"a selection of modes and {met!r}"
         raise InvalidInput.out_of_range("keep", got, "only with a stoss.ExponentialWall", hint)
-    with speeds_in_si(chosen), waiting(boolean("progress", progress), "impact"):
+    with waiting(boolean("progress", progress), "impact"):
         result = Impact._made(chosen, met, initial, at, answer, resolution, kept, state)
     warn_of_materials(result, 2)
     return result

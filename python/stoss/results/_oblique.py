@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import arranged, boolean, integer, number
-from stoss.bodies._bodies import Body, shown, speeds_in_si
+from stoss.bodies._bodies import Body, shown
 from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import HardWall, Unbounded
@@ -147,30 +147,27 @@ def oblique(
     """
     chosen = choose_body(body, None, rigid=True)
     met = choose_against(chosen, against, (HardWall,))
-    motion = choose_motion(
-        chosen, speed=speed, tangential=tangential, angle=angle, spin=spin, second_spin=second_spin,
-        friction=friction, kept=40,
-    )  # fmt: skip
-    shape = motion[0].shape
+    cases, shape = choose_motion(
+        chosen, 40, speed=speed, tangential=tangential, angle=angle, spin=spin, second_spin=second_spin, friction=friction
+    )
     # Those of one speed after one another share their impacts along the normal.
-    order = np.argsort(motion[0].ravel(), kind="stable")
-    cases = np.stack([each.ravel()[order] for each in motion], axis=1)
+    order = np.argsort(cases[:, 0], kind="stable")
     limit, count, modes = number("tolerance", tolerance), integer("threads", threads), choose_state(state)
     contact = refinable(chosen, met)
-    with speeds_in_si(chosen):
-        _core.check_oblique(contact, cases, limit, count, modes)
+    _core.check_oblique(contact, cases[order], limit, count, modes)
 
     rows, why, stopped = empty_rows(order.size, _core.oblique_row), list[str](), False
     with bar(order.size, boolean("progress", progress), "oblique") as seen:
         try:
-            _core.oblique_curve(contact, cases, limit, count, modes, rows, why, None if seen is None else seen.update)
+            tick = None if seen is None else seen.update
+            _core.oblique_curve(contact, cases[order], limit, count, modes, rows, why, tick)
         except KeyboardInterrupt:
             stopped = True
     table, reasons = np.empty_like(rows), np.full(order.size, "interrupted", dtype=object)
     table[order], reasons[order[: len(why)]] = rows, why
     found = columns(table)
     ledger = {name: found.pop(f"energy.{name}") for name in QUANTITIES["oblique ledger"]}
-    values = {**dict(zip(MOTION, motion)), "reason": reasons, **found}
+    values = {**dict(zip(MOTION, cases.T.copy())), "reason": reasons, **found}
     shaped, shares = ({name: arranged(each, shape) for name, each in own.items()} for own in (values, ledger))
     kept = modes if modes.size else None
     result = ObliqueRestitution(chosen, met, tolerance=limit, state=kept, energy=ObliqueLedger(**shares), **shaped)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from stoss import _core
 from stoss._arguments import boolean, integer, optional_number, require_memory
 from stoss._errors import InvalidInput
-from stoss.bodies._bodies import Body, shown, speeds_in_si
+from stoss.bodies._bodies import Body, shown
 from stoss.bodies._encounter import Against, choose_against, choose_body, choose_cutoff, contact
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import HardWall, Unbounded
@@ -227,14 +227,14 @@ def oblique_impact(
         "speed": speed, "tangential": tangential, "angle": angle, "spin": spin, "second_spin": second_spin,
         "friction": friction,
     }  # fmt: skip
-    motion = choose_motion(chosen, **given, kept=1)
-    if motion[0].shape:
+    (motion, *_), shape = choose_motion(chosen, 1, **given)
+    if shape:
         name, several = next((each, np.size(value)) for each, value in given.items() if np.shape(value))
         raise InvalidInput.out_of_range(name, f"{several} of them", "one impact", "use stoss.oblique for several")
     highest = choose_cutoff(cutoff, chosen, met, float(motion[0]))
     count = None if nodes is None else integer("nodes", nodes)
     resolution = optional_number("step", step), count, optional_number("half_width", half_width)
-    with speeds_in_si(chosen), waiting(boolean("progress", progress), "oblique_impact"):
-        result = ObliqueImpact._made(chosen, met, tuple(float(each) for each in motion), highest, resolution, state)
+    with waiting(boolean("progress", progress), "oblique_impact"):
+        result = ObliqueImpact._made(chosen, met, tuple(motion.tolist()), highest, resolution, state)
     warn_of_materials(result, 2)
     return result

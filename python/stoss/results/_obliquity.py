@@ -7,14 +7,14 @@ from typing import Any, Callable, ClassVar, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss import _core
 from stoss._arguments import arranged, broadcast, numbers
 from stoss._documentation import documented
-from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body
+from stoss.bodies._solid import alone
 from stoss.results._quantities import Number, Si
 from stoss.results._si import MayYield
 
+EITHER = ("tangential", "angle")
 MOTION = ("speed", "tangential", "spin", "second_spin", "friction")
 PARAMETERS = {
     "speed": "Of approach along the normal, 1e-8 to 1, c (with a material: m/s).",
@@ -70,24 +70,13 @@ class Oblique(MayYield):
         return arranged(angles, angles.shape)  # type: ignore[no-any-return]
 
 
-def choose_motion(
-    body: Body, *, speed: Any, tangential: Any, angle: Any, spin: Any, second_spin: Any, friction: Any, kept: int
-) -> list[NDArray[np.float64]]:
-    """Arrays of one shape in the order of MOTION, in the units of the body; so many numbers are kept of each."""
-    in_si = body.material is not None
-    c, turn = (body.scales.speed, body.scales.frequency) if in_si else (1.0, 1.0)
-    speeds = numbers("speed", speed) / c
-    return broadcast(
-        kept, speed=speeds, tangential=_along(tangential, angle, speeds, c), spin=numbers("spin", spin) / turn,
-        second_spin=numbers("second_spin", second_spin) / turn, friction=numbers("friction", friction),
-    )  # fmt: skip
+def choose_motion(body: Body, kept: int, **given: Any) -> tuple[NDArray[np.float64], tuple[int, ...]]:
+    """Collisions in units of the body, in the order of MOTION, and the shape to which they broadcast.
 
-
-def _along(tangential: Any, angle: Any, speeds: NDArray[np.float64], unit: float) -> NDArray[np.float64]:
-    """v_t in c, of which at most one way to give it was used."""
-    if angle is None:
-        return numbers("tangential", 0.0 if tangential is None else tangential) / unit
-    if tangential is not None:
-        raise InvalidInput.out_of_range("angle", "tangential and angle", "one of them")
-    angles, at = broadcast(angle=numbers("angle", angle), speed=speeds)
-    return _core.tangential_at(angles.ravel(), at.ravel()).reshape(angles.shape)
+    Parameters:
+        kept: Numbers that are kept of each.
+        given: By the names of `PARAMETERS`; what is None is not given.
+    """
+    told = {name: numbers(name, each) for name, each in given.items() if each is not None or name not in EITHER}
+    arrays = dict(zip(told, broadcast(kept, **told)))
+    return alone(body).collisions({name: each.ravel() for name, each in arrays.items()}), arrays["speed"].shape

@@ -13,9 +13,9 @@ from stoss import _core
 from stoss._arguments import boolean, choice, integer, number, numbers, refusal
 from stoss._documentation import documented
 from stoss._errors import InvalidInput
-from stoss.bodies._bodies import Body, Disk, Sphere, shown, speed_unit, speeds_in_si
+from stoss.bodies._bodies import Body, Disk, Sphere, shown
 from stoss.bodies._encounter import choose_against, choose_body, encounter
-from stoss.bodies._solid import is_rigid
+from stoss.bodies._solid import is_rigid, own_units
 from stoss.export._text import brief_range
 from stoss.results._progress import waiting
 from stoss.results._result import Column, picture
@@ -66,8 +66,7 @@ class PairTable(SpeedInSi):
         return self._of(speed, ratio, self._core.errors)
 
     def __repr__(self) -> str:
-        unit = "c" if self.body.material is None else "m/s"
-        speeds = brief_range(*(float(each * speed_unit(self.body)) for each in self.speed[[0, -1]]))
+        speeds, unit = brief_range(*map(float, self._given_speed[[0, -1]])), self._given_unit[0]
         ratios = brief_range(float(self.ratio[0]), float(self.ratio[-1]))
         met = "" if self.alike else f" against {shown(self.against)}"
         return (
@@ -104,9 +103,7 @@ class PairTable(SpeedInSi):
         return self._columns(), ("speed", "ratio")
 
     def _of(self, speed: ArrayLike, ratio: ArrayLike, function: Any) -> Any:
-        given = np.broadcast_arrays(numbers("speed", speed) / speed_unit(self.body), numbers("ratio", ratio))
-        with speeds_in_si(self.body):
-            values = function(*(np.ascontiguousarray(each).ravel() for each in given)).reshape(given[0].shape)
+        values = self._at(function, speed, ratio=numbers("ratio", ratio))
         return values if values.ndim else float(values)
 
 
@@ -150,7 +147,7 @@ def pair_table(
     met = choose_against(chosen, against, ())
     if not isinstance(chosen, (Disk, Sphere)) or not isinstance(met, (Disk, Sphere)) or is_rigid(met):
         raise refusal("against", against, "two elastic disks or two elastic spheres")
-    ranges = {"speed": numbers("speed", speed) / speed_unit(chosen), "ratio": numbers("ratio", ratio)}
+    ranges = {"speed": numbers("speed", speed), "ratio": numbers("ratio", ratio)}
     for name, ends in ranges.items():
         if ends.shape != (2,):
             raise InvalidInput.out_of_range(
@@ -158,8 +155,8 @@ def pair_table(
             )
     outside = choice("beyond", beyond, ("error", "clamp"))
     limit, count = number("error", error), integer("threads", threads)
-    with speeds_in_si(chosen), waiting(boolean("progress", progress), "pair_table"):
-        speeds, ratios = ([float(end) for end in each] for each in ranges.values())
+    speeds, ratios = (each.tolist() for each in own_units(chosen, "table", **ranges))
+    with waiting(boolean("progress", progress), "pair_table"):
         made = _core.adaptive_pair_table(encounter(chosen, met), speeds, ratios, limit, count)
     v, r, value, bars, interpolation, alike = made.given()
     shape = (v.size, r.size)

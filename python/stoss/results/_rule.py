@@ -15,14 +15,14 @@ from stoss import _core
 from stoss._arguments import numbers, refusal
 from stoss._documentation import documented
 from stoss._errors import InvalidInput
-from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
+from stoss.bodies._bodies import Body, shown
 from stoss.bodies._encounter import Against, encounter
 from stoss.export import _formats, _netcdf
 from stoss.export._files import write_lines
 from stoss.export._text import brief_range
 from stoss.results._collided import Motion, collided
 from stoss.results._result import Column
-from stoss.results._si import SpeedInSi
+from stoss.results._si import SpeedInSi, in_c
 
 Array = NDArray[np.float64]
 
@@ -82,14 +82,14 @@ class CollisionRule(SpeedInSi):
         `sliding` is s, and `ratio` counts in a mixture only. The friction may be left out where it
         is known.
         """
-        found, unit = self._of(speed, sliding, friction, ratio)
-        return _shown(found[0]), _shown(found[2] * unit)
+        found = self._of(speed, sliding, friction, ratio)
+        return _shown(found[0]), _shown(found[2] * self._given_unit[1])
 
     def error(
         self, speed: ArrayLike, sliding: ArrayLike, friction: ArrayLike | None = None, ratio: ArrayLike = 1.0
     ) -> tuple[Any, Any]:
         """Error of ε_n, and error of s′ over |v_t| + |Ω₁|R₁ + |Ω₂|R₂ + μv_n; infinite where they are unknown."""
-        found, _ = self._of(speed, sliding, friction, ratio)
+        found = self._of(speed, sliding, friction, ratio)
         return _shown(found[1]), _shown(found[3])
 
     def collide(
@@ -125,8 +125,7 @@ class CollisionRule(SpeedInSi):
         return collided(self._core, encounter(self.body, self.against), self.body, motions, rubbing, radii)
 
     def __repr__(self) -> str:
-        unit = "c" if self.body.material is None else "m/s"
-        speeds = brief_range(*(float(each * speed_unit(self.body)) for each in self.speed[[0, -1]]))
+        speeds, unit = brief_range(*map(float, self._given_speed[[0, -1]])), self._given_unit[0]
         ratio = f", ratio={brief_range(float(self.ratio[0]), float(self.ratio[-1]))}" if self.ratio.size > 1 else ""
         friction = "any friction" if self.friction is None else f"friction={self.friction:g}"
         normal, along = self.greatest_error
@@ -167,10 +166,9 @@ class CollisionRule(SpeedInSi):
             >>> rule.to_c("rule.h")
         """
         provenance = [f"stoss {_core.version}: {self._name}", *(f"{k}: {v}" for k, v in self._inputs().items())]
-        unit = "c" if self.body.material is None else "m/s"
         if not isinstance(name, str):
             raise refusal("name", name, "a str")
-        write_lines(path, [self._core.c_header(name, unit, speed_unit(self.body), provenance)])
+        write_lines(path, [self._core.c_header(name, *self._given_unit, provenance)])
 
     @documented
     def to_json(self, path: str | os.PathLike[str]) -> None:
@@ -213,15 +211,10 @@ class CollisionRule(SpeedInSi):
                 raise InvalidInput.out_of_range(name, f"{np.min(each):g}", "positive ones")
         return radii
 
-    def _of(self, speed: Any, sliding: Any, friction: Any, ratio: Any) -> tuple[Array, float]:
-        unit = speed_unit(self.body)
-        given = np.broadcast_arrays(
-            numbers("speed", speed) / unit, numbers("sliding", sliding) / unit, self._friction(friction),
-            numbers("ratio", ratio),
-        )  # fmt: skip
-        with speeds_in_si(self.body):
-            found = self._core.evaluate(*(np.ascontiguousarray(each).ravel() for each in given))
-        return found.reshape(4, *given[0].shape), unit
+    def _of(self, speed: Any, sliding: Any, friction: Any, ratio: Any) -> Array:
+        slips = in_c(self.body, numbers("sliding", sliding))
+        others = {"sliding": slips, "friction": self._friction(friction), "ratio": numbers("ratio", ratio)}
+        return self._at(self._core.evaluate, speed, **others)
 
     def _columns(self) -> dict[str, Column]:
         places = np.meshgrid(self.speed, self.slip, self.ratio, indexing="ij")

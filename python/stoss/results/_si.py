@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import contextlib
 import warnings
-from typing import Any, TypeVar
+from typing import Any, Callable, Iterator, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core
-from stoss._errors import Interrupted, NotConverged, StossWarning
+from stoss._arguments import broadcast, numbers
+from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss.bodies._encounter import material_warnings_of, yield_speed_of
 from stoss.bodies._material import Material
+from stoss.bodies._solid import alone
 from stoss.results._quantities import Number, Si
 from stoss.results._result import Result
 
@@ -57,6 +60,39 @@ class SpeedInSi(InSi):
 
     speed: Any
     speed_si = Si("Speed of approach, m/s.")
+
+    @property
+    def _given_speed(self) -> Any:
+        """The speed in the unit in which speeds are given."""
+        return self.speed if self.material is None else self.speed_si
+
+    @property
+    def _given_unit(self) -> tuple[str, float]:
+        """That unit, and how many of it are c."""
+        return ("c", 1.0) if self.material is None else ("m/s", self.body.scales.speed)
+
+    def _at(self, function: Callable[..., NDArray[Any]], speed: Any, **others: Any) -> NDArray[Any]:
+        """What a function of the core has at speeds as they are given, in the shape to which all broadcast."""
+        given = broadcast(speed=in_c(self.body, numbers("speed", speed)), **others)
+        with told_in_c(self.body):
+            found = function(*(each.ravel() for each in given))
+        return found.reshape(*found.shape[:-1], *given[0].shape)
+
+
+def in_c(body: Any, speed: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Speeds as they are given with this body, of any size, in its c."""
+    return speed if body is None else alone(body).in_c(speed.ravel()).reshape(speed.shape)
+
+
+@contextlib.contextmanager
+def told_in_c(body: Any) -> Iterator[None]:
+    """Says to a user who thinks in SI what c is where a speed is refused in it."""
+    try:
+        yield
+    except InvalidInput as error:
+        if error.name != "speed" or getattr(body, "material", None) is None:
+            raise
+        raise error.renamed("speed", f"with this material c is {body.scales.speed:.6g} m/s") from None
 
 
 class MayYield(SpeedInSi):

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from stoss import _core
 from stoss._arguments import integer, number, refusal
 from stoss._errors import InvalidInput
-from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
+from stoss.bodies._bodies import Body
+from stoss.bodies._solid import own_units
 from stoss.bodies._state import choose_state
 from stoss.results._obliquity import choose_motion
 from stoss.results._quantities import QUANTITIES
@@ -75,15 +76,14 @@ class Computation:
 
     def check(self, body: Body, contact: _core.RefinableContact, axes: Sequence[NDArray[np.float64]]) -> None:
         """Refuse what the core refuses, before anything is computed."""
-        with speeds_in_si(body):
-            _core.check_curve(axes[0] / speed_unit(body), self.accuracy["tolerance"], self.accuracy["absolute"], 1)
+        _core.check_curve(_speeds(body, axes[0]), self.accuracy["tolerance"], self.accuracy["absolute"], 1)
 
     def compute(
         self, body: Body, contact: _core.RefinableContact, points: Sequence[Point], threads: int, rows: NDArray[Any],
         tick: Tick,
     ) -> None:  # fmt: skip
         """Fill the rows of the core, one for each point, in their order."""
-        speeds = np.array(points)[:, 0] / speed_unit(body)
+        speeds = _speeds(body, np.array(points)[:, 0])
         tolerance, absolute = self.accuracy["tolerance"], self.accuracy["absolute"]
         _core.restitution_curve(contact, speeds, tolerance, absolute, threads, choose_state(None), rows, [], tick)
 
@@ -101,9 +101,7 @@ class Rules(Computation):
 
     def check(self, body: Body, contact: _core.RefinableContact, axes: Sequence[NDArray[np.float64]]) -> None:
         every = np.stack([each.ravel() for each in np.meshgrid(*axes, indexing="ij")], axis=1)
-        cases = self._cases(body, every)
-        with speeds_in_si(body):
-            _core.check_oblique(contact, cases, self.accuracy["tolerance"], 1, choose_state(None))
+        _core.check_oblique(contact, self._cases(body, every), self.accuracy["tolerance"], 1, choose_state(None))
 
     def compute(
         self, body: Body, contact: _core.RefinableContact, points: Sequence[Point], threads: int, rows: NDArray[Any],
@@ -113,8 +111,7 @@ class Rules(Computation):
         _core.oblique_curve(contact, cases, tolerance, threads, choose_state(None), rows, [], tick)
 
     def _cases(self, body: Body, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        given: dict[str, Any] = dict.fromkeys(("tangential", "angle")) | dict.fromkeys(("spin", "second_spin"), 0.0)
-        return np.stack(choose_motion(body, **{**given, **dict(zip(self.axes, points.T))}, kept=1), axis=1)
+        return choose_motion(body, 1, **dict(zip(self.axes, points.T)))[0]
 
 
 class Ensemble(Computation):
@@ -132,9 +129,8 @@ class Ensemble(Computation):
         speeds, temperatures, samples = axes
         for temperature in temperatures.tolist():
             means = self._means(contact, temperature)
-            with speeds_in_si(body):
-                for speed in (speeds / speed_unit(body)).tolist():
-                    _core.check_distribution(contact, speed, means, samples.size, *self._drawn(), 1)
+            for speed in _speeds(body, speeds).tolist():
+                _core.check_distribution(contact, speed, means, samples.size, *self._drawn(), 1)
 
     def compute(
         self, body: Body, contact: _core.RefinableContact, points: Sequence[Point], threads: int, rows: NDArray[Any],
@@ -147,8 +143,9 @@ class Ensemble(Computation):
             while end < len(points) and tuple(points[end]) == (speed, temperature, first + end - begin):
                 end += 1
             means = self._means(contact, temperature)
-            _core.restitution_distribution(contact, speed / speed_unit(body), means, *self._drawn(), threads,
-                                           rows[begin:end], [], tick, int(first))  # fmt: skip
+            (its,) = _speeds(body, np.array([speed])).tolist()
+            kept = rows[begin:end]
+            _core.restitution_distribution(contact, its, means, *self._drawn(), threads, kept, [], tick, int(first))
             begin = end
 
     def _drawn(self) -> tuple[int, float]:
@@ -160,6 +157,10 @@ class Ensemble(Computation):
         for name in means.dtype.names or ():
             means[name] = modes[name]
         return means
+
+
+def _speeds(body: Body, given: NDArray[np.float64]) -> NDArray[np.float64]:
+    return own_units(body, "restitution", speed=given)[0]
 
 
 ALONG = ("angle", "tangential", "spin", "second_spin", "friction")

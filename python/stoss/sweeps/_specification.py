@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import dataclasses
 import itertools
+import json
 import os
 import reprlib
 from typing import Any, Iterator, Mapping, Sequence
@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core
-from stoss._arguments import brief, refusal
-from stoss._errors import InvalidInput
+from stoss._arguments import brief, instance, refusal
 from stoss.bodies._bodies import PARTNERS, Body
 from stoss.bodies._material import Material, materials
 from stoss.bodies._modal import ModalBody
@@ -38,24 +37,35 @@ def of_document(text: str) -> tuple[Any, Any]:
 
 
 def make(name: str, given: Specification) -> Any:
-    """The body that a mapping describes."""
-    words = dict(given)
-    kind = words.pop("kind", None)
+    """The body that a mapping describes, which the core reads."""
+    kind = given.get("kind")
     if not isinstance(kind, str) or kind not in CLASSES:
         raise refusal(f"{name}: kind", kind, ", ".join(CLASSES))
     if KINDS[kind].from_file:
-        return _of_file(name, words)
-    known = {field.name for field in dataclasses.fields(CLASSES[kind])}
-    for each in words:
-        if each not in known:
-            raise refusal(name, each, f"{', '.join(sorted(known))} of a {kind}")
-    if "material" in words:
-        words["material"] = _material(name, words["material"])
+        return _of_file(name, {key: each for key, each in given.items() if key != "kind"})
+    try:
+        text = json.dumps(given, default=_plain)
+    except (TypeError, ValueError, RecursionError):
+        raise refusal(name, given, "numbers, words and lists of them") from None
+    words = _of_material(json.loads(_core.participant(name, text)))
     if "layers" in words:
-        if not isinstance(words["layers"], (list, tuple)):
-            raise refusal(f"{name}: layers", words["layers"], "a list of them, from the top down")
-        words["layers"] = [_layer(name, each) for each in words["layers"]]
-    return CLASSES[kind](**words)
+        words["layers"] = [Layer(**_of_material(each)) for each in words["layers"]]
+    return CLASSES[words.pop("kind")](**words)
+
+
+def _plain(given: Any) -> Specification:
+    """What may be given as an object, in plain types."""
+    if isinstance(given, Material):
+        return {name: each for name, each in vars(given).items() if each is not None}
+    return {name: each for name, each in describe(instance("layers", given, (Layer,))).items() if name != "kind"}
+
+
+def _of_material(words: Specification) -> Specification:
+    """The same with the material as an object: by its name in stoss.materials, or of its constants."""
+    given = words.get("material")
+    if given is None:
+        return words
+    return {**words, "material": materials[given] if isinstance(given, str) else Material(**given)}
 
 
 def _of_file(name: str, words: Specification) -> ModalBody:
@@ -81,31 +91,6 @@ def with_folder(given: Any, folder: str) -> Any:
 
 def _listed(given: Any) -> list[Any]:
     return list(given) if isinstance(given, (list, tuple)) else [given]
-
-
-def _layer(name: str, given: Any) -> Layer:
-    """A layer of its numbers, or as it is."""
-    if isinstance(given, Layer):
-        return given
-    known = {field.name for field in dataclasses.fields(Layer)}
-    if not isinstance(given, Mapping) or not set(given) <= known:
-        raise refusal(f"{name}: layers", given, f"mappings with {', '.join(sorted(known))}")
-    return Layer(**{key: _material(name, each) if key == "material" else each for key, each in given.items()})
-
-
-def _material(name: str, given: Any) -> Material:
-    """By its name in stoss.materials, or of its constants."""
-    if isinstance(given, Material):
-        return given
-    if isinstance(given, str):
-        try:
-            return materials[given]
-        except InvalidInput as error:
-            raise error.renamed(f"{name}: {error.name}") from None
-    known = {"young", "poisson", "density", "yield_strength", "loss_time", "surface_energy", "quality"}
-    if not isinstance(given, Mapping) or not {"young", "poisson", "density"} <= set(given) <= known:
-        raise refusal(f"{name}: material", given, "a name of stoss.materials, or young, poisson and density")
-    return Material(**given)
 
 
 def beside(given: Specification, body: Body) -> Any:
@@ -147,9 +132,9 @@ def expanded(name: str, given: Any, left: Choices) -> Iterator[Specification]:
         for chosen in itertools.product(*left):
             one = dict(chosen)
             made = make(name, {"poisson": 0.0, **one} if name == "against" and _borrows(one) else one)
+            its, complete = describe(made), name != "against" or KINDS[made._kind].from_file
             # What a partner leaves out stays open until it is known whom it meets.
-            complete = name != "against" or KINDS[made._kind].from_file
-            yield describe(made) if complete else {**one, **_plain(made, one)}
+            yield its if complete else {**one, **{key: its[key] for key in ("material", "layers") if key in one}}
     else:
         walls = "'wall', 'same', " if name == "against" else ""
         raise refusal(name, given, f"{walls}a body, or a mapping with its kind")
@@ -166,11 +151,6 @@ def _is_wall(name: str, words: Mapping[str, Any]) -> bool:
 
 def _borrows(words: Specification) -> bool:
     return words.get("kind") in ("disk", "sphere") and "material" not in words
-
-
-def _plain(made: Any, words: Specification) -> Specification:
-    """What may be given as objects, in plain types."""
-    return {name: each for name, each in describe(made).items() if name in words and name in ("material", "layers")}
 
 
 def _choices(name: str, key: str, value: Any) -> list[Any]:

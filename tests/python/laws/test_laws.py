@@ -9,15 +9,9 @@ from scipy import integrate, optimize
 
 from stoss._errors import InvalidInput
 from stoss.laws._collision import Spring, along_normal
-from stoss.laws._hunt_crossley import HuntCrossley
 from stoss.laws._law import Impacts, Pair
-from stoss.laws._linear import Linear
-from stoss.laws._mujoco import Mujoco
-from stoss.laws._table import Table
-from stoss.laws._thornton import Thornton
-from stoss.laws._tsuji import Tsuji
-from stoss.laws._viscoelastic import Viscoelastic
-from stoss.laws._walton import Walton
+from stoss.laws._power import HuntCrossley, Linear, Mujoco, Tsuji, Viscoelastic
+from stoss.laws._rules import Table, Thornton, Walton
 
 PAIR = Pair(2e-3, 4e-3, 8e-3, 8e-3, 2500.0, 2500.0)
 PULLS, PUSHES = Spring(tension=True), Spring()
