@@ -1,5 +1,7 @@
 #include <array>
 #include <chrono>
+#include <regex>
+#include <string>
 
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
@@ -44,8 +46,10 @@ void translate(std::exception_ptr error) {
     if (error) std::rethrow_exception(error);
   } catch (const InvalidInput& refusal) {
     constexpr std::array kinds{"out_of_range", "missing", "conflict"};
+    const std::string hint =
+        std::regex_replace(refusal.hint(), std::regex("--(?=[a-z])"), "");  // options of the command
     raise("InvalidInput", kinds[static_cast<std::size_t>(refusal.kind())], refusal.name(), refusal.got(),
-          refusal.allowed(), refusal.hint());
+          refusal.allowed(), hint);
   } catch (const NotConverged& failure) {
     raise("NotConverged", failure.what(), py::none(), failure.input(), failure.hint());
   }

@@ -70,7 +70,7 @@ from stoss.results._adaptive_rule import collision_rule
 from stoss.laws._fit import Fit, Misfit, fit
 from stoss.results._atlas import AtlasValue, atlas
 from stoss.results._bounce import Bounces, bounce
-from stoss.results._curves import restitution
+from stoss.results._restitution import Restitution, restitution
 from stoss.results._distribution import RestitutionDistribution, restitution_distribution
 from stoss.results._field import DiskField, Field, SphereField, Trajectory, Wave
 from stoss.results._function import RestitutionFunction, restitution_function
@@ -78,11 +78,10 @@ from stoss.results._impact import Impact, impact
 from stoss.results._modes import Modes, modes
 from stoss.results._oblique import ObliqueRestitution, oblique
 from stoss.results._oblique_impact import ObliqueImpact, ObliqueTrajectory, oblique_impact
-from stoss.results._oblique_ledger import ObliqueLedger
+from stoss.results._obliquity import ObliqueLedger
 from stoss.results._pair_table import PairTable, pair_table
 from stoss.results._predict import predict
 from stoss.results._prediction import Influence, Prediction
-from stoss.results._restitution import Restitution
 from stoss.results._result import Result
 from stoss.results._rod_chain import RodChain, rod_chain
 from stoss.results._rule import CollisionRule

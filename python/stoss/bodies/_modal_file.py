@@ -11,8 +11,7 @@ import numpy as np
 
 from stoss._arguments import open_file
 from stoss._errors import InvalidInput
-from stoss.export._documents import of_json
-from stoss.export._files import whole_file, write_lines
+from stoss.export._files import of_json, whole_file, write_lines
 
 Nested = Mapping[str, Collection[str]]
 """The names that are nested, by the name in which they are."""

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss._errors import InvalidInput
-from stoss.export import _formats, _tables
+from stoss.export import _files, _tables
 from stoss.export._text import UNKNOWN, with_error
 
 AXES = {"restitution": "speed", "function": "speed", "quasistatic": "speed", "slow impact": "speed",
@@ -110,10 +110,10 @@ def read_csv(path: str | os.PathLike[str]) -> Table:
             text = stream.read()
         except UnicodeDecodeError:
             raise _foreign(name) from None
-    first = re.match(rf"# stoss ({_formats.VERSION}): (.+)\n", text, re.ASCII)
+    first = re.match(rf"# stoss ({_files.VERSION}): (.+)\n", text, re.ASCII)
     if not first:
         raise _foreign(name)
-    _formats.require_readable("path", name, first.group(1))
+    _files.require_readable("path", name, first.group(1))
     if not text.endswith("\n"):
         raise _damaged(name, "its last line is not whole")
     lines = text.splitlines()[1:]

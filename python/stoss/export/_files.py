@@ -1,12 +1,17 @@
-"""Files that appear whole or not at all."""
+"""Files that appear whole or not at all, their formats, and JSON documents as they are read."""
 
 from __future__ import annotations
 
 import contextlib
 import errno
+import json
 import os
+import re
 import tempfile
-from typing import Iterable, Iterator
+from typing import Any, Iterable, Iterator
+
+from stoss import _core
+from stoss._errors import InvalidInput
 
 
 @contextlib.contextmanager
@@ -65,3 +70,48 @@ def write_lines(path: str | os.PathLike[str], lines: Iterable[str]) -> None:
         return
     with whole_file(path) as temporary, open(temporary, "w", encoding="utf-8") as stream:
         stream.writelines(lines)
+
+
+def of_json(text: str) -> Any:
+    """What a document holds. Raises ValueError for none, and where a key is twice in an object."""
+    return json.loads(text, object_pairs_hook=_without_twins)
+
+
+def _without_twins(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise ValueError(f"the key {twice!r} is there twice")
+    return found
+
+
+GRID = "stoss grid 1"
+SWEEP = "stoss sweep 1"
+RULE = "stoss collision rule 1"
+
+VERSION = r"\d{1,9}[\w.+~-]{0,40}"
+"""How the version of the stoss that has written a file looks, in ASCII."""
+
+
+def require(name: str, given: object, own: str) -> None:
+    """Refuse another format than our own, and say so if it is of a later version."""
+    if given == own:
+        return
+    title, _, version = own.rpartition(" ")
+    found = re.fullmatch(rf"{re.escape(title)} ([1-9]\d{{0,8}})", given) if isinstance(given, str) else None
+    hint = " (written by a later stoss)" if found and int(found[1]) > int(version) else ""
+    raise InvalidInput.out_of_range(name, repr(str(given)[:60]), f"{own!r}{hint}")
+
+
+def require_readable(name: str, path: str, version: str) -> None:
+    """Refuse a file of stoss of a later first number, with which its columns may mean something else."""
+    own = _core.version.split(".")[0]
+    found = re.match(r"\d+", version)
+    if found and int(found[0]) > int(own):
+        raise InvalidInput.out_of_range(
+            name,
+            f"{path!r} of stoss {version}",
+            f"one of stoss {own} or earlier",
+            f"stoss {found[0]} can read it",
+        )

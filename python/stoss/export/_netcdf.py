@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core
-from stoss.export import _formats
+from stoss.export import _files
 from stoss.export._files import whole_file
 from stoss.results._si import si_name
 
@@ -90,7 +90,7 @@ def _describe(file: Any, sweep: Swept) -> None:
     file.setncatts(
         {
             "Conventions": "CF-1.8",
-            "format": _formats.SWEEP,
+            "format": _files.SWEEP,
             "title": "Coefficient of restitution of elastic bodies",
             "source": f"stoss {', '.join(sweep.versions) or _core.version}",
             **sweep.grid.computation.accuracy,

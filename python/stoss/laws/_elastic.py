@@ -11,7 +11,7 @@ from stoss._errors import NotConverged
 from stoss.bodies._bodies import Sphere
 from stoss.bodies._walls import HalfSpace, HardWall
 from stoss.laws._law import Array, Impacts, Pair
-from stoss.results._curves import restitution
+from stoss.results._restitution import restitution
 from stoss.results._oblique import oblique
 
 Met = Union[Sphere, HalfSpace, HardWall]

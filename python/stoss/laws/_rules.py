@@ -34,7 +34,7 @@ def bounce(speed: Array) -> tuple[Array, Array]:
 
 @dataclasses.dataclass(frozen=True)
 class Thornton(Law):
-    """Thornton's elastic–plastic spheres: Hertz' force up to a contact pressure, then a line; back along a flatter Hertz.
+    """Thornton's elastic–plastic spheres: Hertz' force up to a pressure, then a line; back along a flatter Hertz.
 
     In units of the first yield, where overlap, force and speed are 1, the way in has F = δ^{3/2} up to 1 and F = (3δ −
     1)/2 beyond. From the largest overlap y with the force Y the bodies part by Hertz' law of the radius R y^{3/2}/Y. So

@@ -7,14 +7,13 @@ import dataclasses
 import os
 from typing import Any, Sequence
 
+from dolfinx.io import gmshio
 import gmsh
 import numpy as np
-from dolfinx.io import gmshio
 from numpy.typing import NDArray
 
 from stoss._errors import InvalidInput
 from stoss.modal._arguments import SHAPES
-from stoss.modal._thickness import MOST, thin_share
 
 QUADRATIC = 11
 ORDERS = {4: 1, QUADRATIC: 2}
@@ -170,3 +169,29 @@ def _straighten() -> None:
         places = [gmsh.model.mesh.getNode(node)[0] for node in element[:4]]
         for node, (start, end) in zip(element[4:], EDGES):
             gmsh.model.mesh.setNode(node, 0.5 * (places[start] + places[end]), [])
+
+
+MOST = 0.5
+"""Share of the volume that may be one tetrahedron thick where two meshes are to give errors."""
+
+
+def thin_share(corners: NDArray[np.int64], places: NDArray[Any]) -> float:
+    """The share of the volume in tetrahedra whose four corners all lie on the surface.
+
+    It is 1 of a wall with one layer of them, and 0 with two. Meshes with one layer err alike, for
+    they do not differ through the thickness, however long their other edges are: what differs
+    between both is no measure of their errors.
+
+    Parameters:
+        corners: Four numbers of each tetrahedron.
+        places: Coordinates, by these numbers.
+    """
+    opposite = np.array([[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]])
+    facets = np.sort(corners[:, opposite].reshape(-1, 3), axis=1)
+    _, first, count = np.unique(facets, axis=0, return_index=True, return_counts=True)
+    on_surface = np.zeros(len(places), dtype=bool)
+    on_surface[facets[first[count == 1]]] = True
+    edges = places[corners[:, 1:]] - places[corners[:, :1]]
+    volumes = np.abs(np.linalg.det(edges))
+    thin = on_surface[corners].all(axis=1)
+    return float(volumes[thin].sum() / volumes.sum())

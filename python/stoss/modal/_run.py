@@ -15,12 +15,11 @@ from mpi4py import MPI
 
 from stoss import __version__
 from stoss._errors import InvalidInput
-from stoss.modal._body_file import write
+from stoss.modal._progress import Progress, write
 from stoss.modal._compliance import compliance
 from stoss.modal._elasticity import Elasticity
 from stoss.modal._mesh import Sizes, is_shape, load
 from stoss.modal._modes import Spectrum
-from stoss.modal._progress import Progress
 from stoss.modal._spectra import merged
 from stoss.modal._surface import Surface
 

@@ -46,9 +46,8 @@ from stoss.plot._restitution import function, pair_table
 from stoss.plot._modes import ledger
 from stoss.plot._many import bounces, cooling, distribution, restitution_histogram
 from stoss.plot._modes import mode_shape, spectrum
-from stoss.plot._oblique import oblique
+from stoss.plot._oblique import oblique, oblique_ledger
 from stoss.plot._oblique_impact import grip, oblique_impact
-from stoss.plot._oblique_ledger import oblique_ledger
 from stoss.plot._prediction import prediction
 from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
 from stoss.plot._restitution import restitution

@@ -13,7 +13,6 @@ from matplotlib import colormaps, rc_context
 from matplotlib.animation import FFMpegWriter
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 import numpy as np
@@ -73,9 +72,7 @@ def animate(
     """
     instance("impact", impact, (Impact, ObliqueImpact))
     suffix = _suffix(path)
-    count, rate = integer("frames", frames), number("fps", fps)
-    if not 2 <= count <= 2000:
-        raise refusal("frames", frames, "2 to 2000")
+    count, rate = _style.count("frames", frames, 2000, low=2), number("fps", fps)
     if not 1.0 <= rate <= 50.0:
         raise refusal("fps", fps, "1 to 50 (frames per second)")
     pixels = None if size is None else _pixels(size)
@@ -167,9 +164,8 @@ def _film(
     film: list[list[_disk.Instant]], shown: _disk.View, scale: _stress.Scale | None, size: tuple[int, int],
     surface: _ground.Surface | None,
 ) -> Iterator[NDArray[np.uint8]]:
-    """The pictures, height × width × RGB, of a figure that pyplot does not know of."""
+    """The pictures of an impact along the normal."""
     figure = Figure(figsize=(size[0] / DPI, size[1] / DPI), dpi=DPI, layout="constrained")
-    canvas = FigureCanvasAgg(figure)
     axes = figure.add_subplot()
     _style.small_ticks(axes)
     _disk.frame_axes(axes, shown)
@@ -182,20 +178,11 @@ def _film(
         for artist in drawn:
             artist.remove()
 
-    # Most of the picture never changes. It is drawn once, and the disk and the time over it.
-    title.set_animated(True)
-    canvas.draw()
-    ground = canvas.copy_from_bbox(figure.bbox)
-    for k, (bodies, name) in enumerate(zip(film, names)):
-        canvas.restore_region(ground)
-        title.set_text(name)
+    def draw(k: int) -> list[Artist]:
         moving = [] if surface is None else _ground.draw_half_space(axes, surface, k, shown.right)
-        moving += _draw_frame(axes, bodies, scale)
-        for artist in (*moving, *faces, title):
-            axes.draw_artist(artist)
-        for artist in moving:
-            artist.remove()
-        yield np.array(canvas.buffer_rgba())[..., :3]
+        return moving + _draw_frame(axes, film[k], scale)
+
+    yield from _style.moving_pictures(figure, title, names, draw, faces)
 
 
 def _draw_frame(axes: Axes, bodies: list[_disk.Instant], scale: _stress.Scale | None) -> list[Artist]:

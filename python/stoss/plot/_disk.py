@@ -111,8 +111,7 @@ def disk(
     """
     bodies = instants(field, frame)
     for name, value in (("circles", circles), ("spokes", spokes)):
-        if not 1 <= integer(name, value) <= 1000:
-            raise refusal(name, value, "1 to 1000")
+        _style.count(name, value, 1000)
     shown = view([now.field for now in bodies], bodies)
     with _style.canvas(ax, size=size_for(shown, 2.85)) as axes:
         for now, edge in zip(bodies, undeformed(bodies)):

@@ -12,7 +12,7 @@ from stoss._arguments import refusal
 from stoss._errors import NotConverged
 from stoss.plot import _style
 from stoss.results._bounce import Bounces
-from stoss.results._curves import restitution
+from stoss.results._restitution import restitution
 from stoss.results._distribution import RestitutionDistribution
 from stoss.results._impact import Impact
 from stoss.results._rod_chain import RodChain

@@ -117,9 +117,8 @@ def ledger(
         >>> ax = stoss.plot.ledger(stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5))
     """
     _style.choice("when", when, tuple(LABELS))
-    for name, value, limit in (("orders", orders, 100), ("indices", indices, 20)):
-        if not 1 <= integer(name, value) <= limit:
-            raise refusal(name, value, f"1 to {limit}")
+    _style.count("orders", orders, 100)
+    _style.count("indices", indices, 20)
     if integer("of", of) not in (0, 1):
         raise refusal("of", of, "0 or 1")
     block = impact.against._kind if isinstance(impact.against, UNBOUNDED) else ""

@@ -1,15 +1,19 @@
-"""What an oblique impact does to the motion along the surface, against the angle of incidence or the sliding speed."""
+"""What oblique impacts do to the motion along the surface, and where the energy is, against the angle of incidence."""
 
 from __future__ import annotations
 
+import itertools
 from typing import Any
 
 from matplotlib.axes import Axes
 import numpy as np
 from numpy.typing import NDArray
 
+from stoss._errors import InvalidInput
 from stoss.plot import _style
+from stoss.plot._modes import HATCHES
 from stoss.results._oblique import ObliqueRestitution
+from stoss.results._oblique_impact import ObliqueImpact
 
 LABELS = {"angle": "angle of incidence (degrees)", "sliding": "sliding speed $s/(\\mu v_n)$"}
 NAMES = {"speed": "v", "friction": "μ", "spin": "Ω", "second_spin": "Ω₂"}
@@ -77,3 +81,56 @@ def _named(result: ObliqueRestitution, name: str, value: float) -> str:
     scale = getattr(result.body.scales, dimension) if in_si else 1.0
     unit = result._unit(f"{name}_si" if in_si else name)
     return f"{NAMES[name]} = {_style.written(value * scale)} {unit}"
+
+
+ENTRIES = {
+    "translation": "translation, normal", "across": "translation, along", "rotation": "rotation",
+    "second_rotation": "rotation of the second", "vibration": "vibration",
+    "second_vibration": "vibration of the second", "dissipated": "lost to the material", "friction": "friction",
+    "unresolved": "unresolved", "stored": "stored",
+}  # fmt: skip
+LEAST, THIN = 1e-4, 2e-3  # what is less in one impact, or in all of several, is left out
+
+
+@_style.picture_of(ObliqueImpact, ObliqueRestitution)
+def oblique_ledger(result: ObliqueImpact | ObliqueRestitution, ax: Axes | None = None) -> Axes:
+    """Where the energy is after an oblique impact, as bars; of several, one above the other against the angle.
+
+    Entries below 10⁻⁴, of several below 0.002 everywhere, are left out.
+
+    Examples:
+        >>> ball = stoss.Sphere(poisson=0.3)
+        >>> ax = stoss.plot.oblique_ledger(stoss.oblique_impact(ball, speed=0.05, angle=40, friction=0.3))
+        >>> fan = stoss.oblique(ball, speed=0.05, angle=np.linspace(0, 80, 30), friction=0.3)
+        >>> ax = stoss.plot.oblique_ledger(fan)
+    """
+    entries = {name: np.asarray(share) for name, share in result.energy.entries().items()}
+    shape = entries["translation"].shape
+    if len(shape) > 1 or 0 in shape:
+        raise InvalidInput.out_of_range(
+            "result", f"shape {shape}", "one impact or a row of them", "select one, as result[0]"
+        )
+    least = LEAST if not shape else THIN
+    kept = {ENTRIES[name]: share for name, share in entries.items() if np.nanmax(np.abs(share), initial=0.0) > least}
+    if not shape:
+        return _bars(ax, {name: float(share) for name, share in kept.items()})
+    order = np.argsort(np.asarray(result.angle), kind="stable")
+    look = {"xlabel": LABELS["angle"], "ylabel": "energy / initial energy"}
+    with _style.canvas(ax, size=(_style.COLUMN, 3.0), **look) as axes:
+        angles, looks = np.asarray(result.angle)[order], itertools.cycle(zip(_style.COLORS, HATCHES))
+        shares = zip(kept.items(), looks)
+        _style.stacked(axes, angles, ((share[order], *look, name) for (name, share), look in shares))
+        axes.set_xlim(angles[0], angles[-1])
+        axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=2, frameon=False, handlelength=1.6)
+    return axes
+
+
+def _bars(ax: Axes | None, shares: dict[str, float]) -> Axes:
+    with _style.canvas(ax, xlabel="energy / initial energy", size=(_style.COLUMN, 2.0)) as axes:
+        places = np.arange(len(shares))[::-1]
+        axes.barh(places, list(shares.values()), color=_style.BLUE, height=0.7)
+        for place, share in zip(places, shares.values()):
+            axes.annotate(_style.written(share, 3), (share, place), (3, 0), textcoords="offset points", va="center")
+        axes.set_yticks(places, list(shares))
+        axes.set_xlim(0.0, 1.3 * max(shares.values(), default=1.0))
+    return axes

@@ -6,7 +6,6 @@ from typing import Iterator, NamedTuple
 
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle, Wedge
 import numpy as np
@@ -41,33 +40,22 @@ class Moment(NamedTuple):
 
 
 def pictures(impact: ObliqueImpact, count: int, size: tuple[int, int], dpi: int) -> Iterator[NDArray[np.uint8]]:
-    """The pictures, height × width × RGB, of a figure that pyplot does not know of."""
+    """The pictures of an oblique impact."""
     path = impact.trajectory()
     moments = [_moment(path, time) for time in _times(path, count)]
     figure = Figure(figsize=(size[0] / dpi, size[1] / dpi), dpi=dpi, layout="constrained")
-    canvas = FigureCanvasAgg(figure)
     scene, contact = figure.subplots(1, 2, width_ratios=(1.0, 1.0))
     names = [f"t = {time} R/c" for time in spoken_times(np.array([now.time for now in moments]))]
     title = figure.suptitle(max(names, key=len), fontsize=9.0)
     sizes = _sizes(impact)
     _frame_scene(scene, path, moments, sizes)
     arrows = _Arrows(contact, path)
-    # Most of the picture never changes. It is drawn once, and what moves over it.
-    title.set_animated(True)
-    canvas.draw()
-    figure.set_layout_engine("none")
-    ground = canvas.copy_from_bbox(figure.bbox)
-    for k, (now, name) in enumerate(zip(moments, names)):
-        canvas.restore_region(ground)
-        title.set_text(name)
-        moving = _draw_bodies(scene, now, sizes)
-        moving += _draw_ways(scene, moments[: k + 1])
-        moving += arrows.draw(now.row)
-        for artist in moving:
-            (artist.axes or scene).draw_artist(artist)
-            artist.remove()
-        figure.draw_artist(title)
-        yield np.array(canvas.buffer_rgba())[..., :3]
+
+    def draw(k: int) -> list[Artist]:
+        bodies, ways = _draw_bodies(scene, moments[k], sizes), _draw_ways(scene, moments[: k + 1])
+        return [*bodies, *ways, *arrows.draw(moments[k].row)]
+
+    yield from _style.moving_pictures(figure, title, names, draw)
 
 
 def _sizes(impact: ObliqueImpact) -> list[float]:

@@ -54,17 +54,12 @@ def oblique_impact(trajectory: ObliqueTrajectory, ax: Axes | None = None) -> Axe
         3
     """
     with _style.canvas(ax, size=(_style.COLUMN, 4.9)) as axes:
-        _style.bare(axes)
-        own = (("velocity", (0.73, 0.27)), ("force", (0.37, 0.27)), ("grip", (0.0, 0.28)))
-        panels = [axes.inset_axes((0.0, low, 1.0, high), label=name) for name, (low, high) in own]
-        for panel in panels:
-            _style.small_ticks(panel)
+        panels = _style.panels(axes, {"velocity": (0.73, 0.27), "force": (0.37, 0.27), "grip": (0.0, 0.28)})
         _draw_velocities(panels[0], trajectory)
         _draw_forces(panels[1], trajectory)
         draw_grip(panels[2], trajectory)
         for panel in panels[:2]:
             panel.set_xlim(panels[2].get_xlim())
-            panel.tick_params(labelbottom=False)
         panels[2].set_xlabel(TIME)
     return axes
 
@@ -87,8 +82,8 @@ def draw_grip(axes: Axes, trajectory: ObliqueTrajectory) -> None:
 
 def _above(axes: Axes, **options: Any) -> None:
     """A legend in a row above the picture, where no curve is."""
-    look = {"loc": "lower right", "bbox_to_anchor": (1.02, 0.98), "ncol": 4, "frameon": False, "columnspacing": 1.2}
-    _style.legend(axes, **look | options)
+    look = {"loc": "lower right", "bbox_to_anchor": (1.02, 0.98), "ncol": 4, "columnspacing": 1.2}
+    _style.above(axes, **look | options)
 
 
 def _draw_velocities(axes: Axes, trajectory: ObliqueTrajectory) -> None:

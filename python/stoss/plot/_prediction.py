@@ -51,11 +51,8 @@ def prediction(result: Prediction, ax: Axes | None = None) -> Axes:
     shares = {name: np.ravel(getattr(result, field))[order] for name, field in CHANNELS.items()}
     shares = {name: share for name, share in shares.items() if share.max() > LEAST}
     with _style.canvas(ax, size=(_style.COLUMN, 5.2)) as axes:
-        _style.bare(axes)
-        own = (("restitution", (0.74, 0.26)), ("energy", (0.39, 0.28)), ("shares", (0.0, 0.28)))
-        panels = [axes.inset_axes((0.0, low, 1.0, high), label=name) for name, (low, high) in own]
+        panels = _style.panels(axes, {"restitution": (0.74, 0.26), "energy": (0.39, 0.28), "shares": (0.0, 0.28)})
         for panel in panels:
-            _style.small_ticks(panel)
             panel.set_xscale("log")
             panel.set_xlim(speed[0], speed[-1])
         _draw_restitution(panels[0], result, order, speed)
@@ -65,8 +62,6 @@ def prediction(result: Prediction, ax: Axes | None = None) -> Axes:
         for panel in panels:
             if begins is not None and speed[0] < begins < speed[-1]:
                 panel.axvline(begins, color=_style.BLACK, linestyle=":", linewidth=0.8)
-        for panel in panels[:2]:
-            panel.tick_params(labelbottom=False)
         panels[2].set_xlabel(_style.speed_label(result.body.material))
     return axes
 
@@ -111,14 +106,8 @@ def _above_zero(share: Array) -> Array:
 
 def _draw_shares(axes: Axes, speed: Array, shares: dict[str, Array]) -> None:
     lost = np.asarray(sum(shares.values(), np.zeros_like(speed)))
-    below = np.zeros_like(speed)
-    for name, share in shares.items():
-        color, hatch = LOOKS[name]
-        above = below + share / np.where(lost > 0.0, lost, 1.0)
-        axes.fill_between(speed, below, above, facecolor=color, hatch=hatch, edgecolor="white", linewidth=0.0)
-        axes.plot(speed, above, color=_style.BLACK, linewidth=0.4)
-        below = above
-    axes.set_ylim(0.0, 1.0)
+    whole = np.where(lost > 0.0, lost, 1.0)
+    _style.stacked(axes, speed, ((share / whole, *LOOKS[name], name) for name, share in shares.items()))
     axes.set_ylabel("share of the loss")
     _above(axes, handles=[_key(name) for name in shares], handlelength=1.4)
 
@@ -131,5 +120,5 @@ def _key(name: str) -> Patch:
 
 def _above(axes: Axes, **options: Any) -> None:
     """A legend in a row above the picture, where no curve is."""
-    look = {"loc": "lower left", "bbox_to_anchor": (-0.02, 0.98), "ncol": 3, "frameon": False, "columnspacing": 0.8}
-    _style.legend(axes, **look | options)
+    look = {"loc": "lower left", "bbox_to_anchor": (-0.02, 0.98), "ncol": 3, "columnspacing": 0.8}
+    _style.above(axes, **look | options)

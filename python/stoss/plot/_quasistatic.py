@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 
 from stoss.plot import _style
 from stoss.quasistatic._hertz import hertz_pressure
-from stoss.quasistatic._rayleigh import RayleighEstimate
-from stoss.quasistatic._slow_impact import SlowImpact
-from stoss.quasistatic._static_contact import StaticContact
+from stoss.quasistatic._slow_impact import RayleighEstimate, SlowImpact
+from stoss.quasistatic._compression import StaticContact
 
 Slow = Union[SlowImpact, RayleighEstimate]
 BEYOND = "beyond perturbation theory"

@@ -7,7 +7,7 @@ from matplotlib.patches import Rectangle
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from stoss._arguments import integer, numbers, refusal
+from stoss._arguments import numbers
 from stoss._errors import InvalidInput
 from stoss.plot import _disk, _ground, _style
 from stoss.results._impact import Impact
@@ -40,10 +40,8 @@ def sequence(
     Examples:
         >>> ax = stoss.plot.sequence(stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5), count=3)
     """
-    if not 2 <= integer("count", count) <= LARGEST:
-        raise refusal("count", count, f"2 to {LARGEST}")
-    if not 1 <= integer("columns", columns) <= LARGEST:
-        raise refusal("columns", columns, f"1 to {LARGEST}")
+    _style.count("count", count, LARGEST, low=2)
+    _style.count("columns", columns, LARGEST)
     chosen = default_times(impact, count) if times is None else numbers("times", times).ravel()
     if not 1 <= chosen.size <= LARGEST:
         raise InvalidInput.out_of_range("times", f"{chosen.size} of them", f"1 to {LARGEST}")

@@ -6,12 +6,17 @@ import contextlib
 import functools
 import inspect
 import weakref
-from typing import Any, Callable, Iterator, TypeVar, cast
+from typing import Any, Callable, Iterable, Iterator, Mapping, Sequence, TypeVar, cast
 
 import matplotlib
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+import numpy as np
+from numpy.typing import NDArray
 
-from stoss._arguments import choice as choice, instance, refusal
+from stoss._arguments import choice as choice, instance, integer, refusal
 from stoss._documentation import documented
 
 COLUMN = 3.4  # inches, one column of a journal
@@ -102,6 +107,65 @@ def small_ticks(axes: Axes, labelsize: float = PRINT["xtick.labelsize"]) -> None
     axes.tick_params(which="both", width=0.6, labelsize=labelsize)
     axes.tick_params(which="major", length=2.5)
     axes.tick_params(which="minor", length=1.5)
+
+
+def panels(axes: Axes, places: Mapping[str, tuple[float, float]]) -> list[Axes]:
+    """Pictures inside the Axes, one above the other: where each begins and how high it is."""
+    bare(axes)
+    made = [axes.inset_axes((0.0, low, 1.0, high), label=name) for name, (low, high) in places.items()]
+    for panel in made:
+        small_ticks(panel)
+    for panel in made[:-1]:
+        panel.tick_params(labelbottom=False)
+    return made
+
+
+def above(axes: Axes, **options: Any) -> None:
+    """A legend in a row above the picture, where no curve is."""
+    legend(axes, **{"bbox_to_anchor": (0.5, 0.98), "frameon": False} | options)
+
+
+def stacked(axes: Axes, x: Any, shares: Iterable[tuple[Any, str, str, str]]) -> None:
+    """Shares of one whole, one above the other: each with its colour, hatch and label."""
+    below = 0.0 * x
+    for share, color, hatch, label in shares:
+        over = below + share
+        look = {"facecolor": color, "hatch": hatch, "edgecolor": "white", "linewidth": 0.0}
+        axes.fill_between(x, below, over, label=label, **look)
+        axes.plot(x, over, color=BLACK, linewidth=0.4)
+        below = over
+    axes.set_ylim(0.0, 1.0)
+
+
+def moving_pictures(
+    figure: Figure, title: Artist, names: Sequence[str], draw: Callable[[int], list[Artist]], last: Sequence[Artist] = ()
+) -> Iterator[NDArray[np.uint8]]:
+    """Pictures, height × width × RGB, of a figure that pyplot does not know of: one for each name.
+
+    Most of it never changes. It is drawn once, and over it what `draw` adds, then `last` and the title.
+    """
+    agg: Any = FigureCanvasAgg(figure)
+    title.set_animated(True)
+    agg.draw()
+    figure.set_layout_engine("none")
+    ground = agg.copy_from_bbox(figure.bbox)
+    for k, name in enumerate(names):
+        agg.restore_region(ground)
+        title.set(text=name)
+        drawn = draw(k)
+        for artist in (*drawn, *last, title):
+            figure.draw_artist(artist)
+        for artist in drawn:
+            artist.remove()
+        yield np.array(agg.buffer_rgba())[..., :3]
+
+
+def count(name: str, value: Any, high: int, low: int = 1) -> int:
+    """An integer in a range."""
+    chosen = integer(name, value)
+    if not low <= chosen <= high:
+        raise refusal(name, value, f"{low} to {high}")
+    return chosen
 
 
 def bare(axes: Axes) -> None:

@@ -7,7 +7,7 @@ from matplotlib.colors import PowerNorm
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss._arguments import integer, number, refusal
+from stoss._arguments import number, refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._plates import lower_face
 from stoss.bodies._solid import is_rigid
@@ -42,8 +42,7 @@ def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float |
         >>> hit = stoss.impact(stoss.Sphere(poisson=0.3), against=stoss.HalfSpace(), speed=0.1, cutoff=4)
         >>> ax = stoss.plot.wave(hit.wave(time=[4, 8], distance=np.linspace(0, 9, 28), depth=np.linspace(0, 9, 28)))
     """
-    if not 1 <= integer("columns", columns) <= LARGEST:
-        raise refusal("columns", columns, f"1 to {LARGEST}")
+    _style.count("columns", columns, LARGEST)
     if limit is not None and not 0.0 < number("limit", limit) < np.inf:
         raise refusal("limit", limit, "a speed above 0 (of the impact)")
     times, centers = np.ravel(wave.time), np.ravel(wave.center)

@@ -44,9 +44,8 @@ from stoss.quasistatic._hertz import (
 from stoss.quasistatic._oblique import (
     MawImpact, maw, mindlin_displacement, mindlin_force, mindlin_ratio, mindlin_stick_radius, mindlin_traction,
 )
-from stoss.quasistatic._rayleigh import RayleighEstimate, rayleigh
-from stoss.quasistatic._slow_impact import SlowImpact, slow_impact
-from stoss.quasistatic._static_contact import StaticContact, static_contact
+from stoss.quasistatic._slow_impact import RayleighEstimate, SlowImpact, rayleigh, slow_impact
+from stoss.quasistatic._compression import StaticContact, static_contact
 
 __all__ = [
     "AxisymmetricStress", "GreatestShear", "MawImpact", "PlaneStress", "RayleighEstimate", "SlowImpact", "StaticContact",

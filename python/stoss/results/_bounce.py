@@ -34,15 +34,6 @@ class Bounces(BounceQuantities, MayYield, RowResult):
 
     Attributes:
         gravity, decay_time: As they were given, c²/R and R/c.
-        number: 1, 2, …
-        speed: Before the impact, c.
-        translation_before, vibration_before, dissipated_before, unresolved_before: Energy when the
-            impact begins: of the translation; of the kept modes; lost to the material and in flight
-            so far; taken so far by the modes above the cutoff, and by the waves of a half-space.
-        translation, vibration, dissipated, unresolved: The same when it is over. The sum is 1 but
-            for `energy_error`.
-        energy_error: What is missing, of all impacts so far.
-        flight_time: After the impact, R/c.
         short_flight: Whether the flight before the impact was too short for the vibration to keep
             clear of the wall. The body then comes as from afar, with the phases of the nominal
             time.

@@ -44,8 +44,6 @@ class RestitutionDistribution(SampleQuantities, InSi, RowResult):
             numerical one, the mean of `restitution_error`.
         spread: Standard deviation of ε, infinite for one sample.
         above_one: Share of the samples with ε > 1.
-        sample: Number of the sample, from 0.
-        vibration: Energy of all modes before the impact, as a share of the translational one.
     """
 
     plot = picture("Histogram of ε. See `stoss.plot.distribution`.")

@@ -134,10 +134,6 @@ class Trajectory(SnapshotQuantities, RowResult, InSi):
     Attributes:
         center: Position x₀ of the centre of mass, R; the wall is at 0 and the body at x < 0. Of two
             bodies, that of the first seen from the second.
-        velocity: Of the centre of mass, towards what it meets, c.
-        translation, vibration, stored, dissipated, unresolved: Shares of the initial energy: in the
-            motion of the centre of mass; in the kept modes; in the wall's potential or the static
-            tail; lost to the material; taken by the modes above the cutoff.
     """
 
     plot = picture("Force against time. See `stoss.plot.force`.")

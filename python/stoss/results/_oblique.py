@@ -16,9 +16,8 @@ from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import HardWall, Unbounded
 from stoss.export import _tables
 from stoss.export._text import span, with_error
-from stoss.results._curves import empty_rows
-from stoss.results._oblique_ledger import ObliqueLedger
-from stoss.results._obliquity import MOTION, Oblique, choose_motion, explained
+from stoss.results._restitution import empty_rows
+from stoss.results._obliquity import MOTION, Oblique, ObliqueLedger, choose_motion, explained
 from stoss.results._progress import bar
 from stoss.results._quantities import Number, ObliqueQuantities, QUANTITIES
 from stoss.results._result import Column, columns, picture
@@ -39,19 +38,10 @@ class ObliqueRestitution(ObliqueQuantities, Oblique):
         tangential_restitution, tangential_restitution_error: ε_t = −s′/s: −1 without friction, 1 of
             a perfect superball. Where s = 0 it is 0 with an infinite error, and s′ says what
             happens.
-        sliding_after_error, tangential_after_error, spin_after_error, second_spin_after_error:
-            Estimated errors of these.
-        friction_loss, friction_loss_error: Share of the initial energy that became heat of
-            friction.
-        vibration, vibration_error: Share of it with which the bodies vibrate afterwards.
         dundurs, coupling_restitution, coupling_tangential_restitution, coupling_sliding_after: Of
             unlike spheres, what the errors do not contain: pressure and friction are taken not to
             change each other. Dundurs' β of the bodies, without its sign, and by how much ε_n of a
             central impact, ε_t and s′ (c) change in a coarse model with that coupling; nan: unknown.
-        cutoff, energy_error: Of the finest impact: c/R; what is missing, as a share of the initial
-            energy.
-        unstable: Friction between unlike bodies is so high that waves of any length grow while all
-            slides: nothing has a limit then, and all errors are unknown.
         tolerance: Asked for: error of s′ over the larger of s and μv_n in size.
         energy: Where the energy is after the finest impact.
     """

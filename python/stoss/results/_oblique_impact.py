@@ -15,8 +15,7 @@ from stoss.bodies._bodies import Body, shown
 from stoss.bodies._encounter import Against, choose_against, choose_body, choose_cutoff, contact
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import HardWall, Unbounded
-from stoss.results._oblique_ledger import ObliqueLedger
-from stoss.results._obliquity import MOTION, Oblique, choose_motion, explained
+from stoss.results._obliquity import MOTION, Oblique, ObliqueLedger, choose_motion, explained
 from stoss.results._progress import waiting
 from stoss.results._quantities import ObliqueImpactQuantities, ObliqueSnapshotQuantities
 from stoss.results._result import RowResult, columns, picture
@@ -38,18 +37,6 @@ class ObliqueTrajectory(ObliqueSnapshotQuantities, RowResult, InSi):
     Attributes:
         center: Position x₀ of the centre of mass along x, R; the wall is at 0 and the body at
             x < 0. Of two bodies, that of the first seen from the second.
-        shift: Way of the first centre along y since the start, of two bodies relative to the
-            second, R.
-        velocity, tangential: Of the (relative) motion along x and along y, c.
-        angle, second_angle: By which each body has turned since the start, radians.
-        spin, second_spin: Of each body, c/R of the first.
-        friction: Q, sum of the friction at all points, mc²/R; positive where it acts against +y on
-            the first body.
-        touching: Number of points with pressure.
-        translation, across, rotation, second_rotation: Shares of the initial energy: in the motion
-            along x and along y, and in the spins.
-        elastic: What went into the bodies: they vibrate with it, hold it, or have lost it to the
-            material and to the modes above the cutoff.
         friction_loss: Share that became heat of friction, and what points hold that land.
         x, y, second_x, second_y: Of each centre, R, seen by who moves with the centre of mass of
             both, at a wall or a half-space with that: None where there is no second body. At rest
@@ -109,9 +96,6 @@ class ObliqueImpact(ObliqueImpactQuantities, Oblique):
         restitution: ε_n = −v_n′/v_n.
         tangential_restitution: ε_t = −s′/s: −1 without friction, 1 of a perfect superball; NaN
             where s = 0.
-        half_width: Of the contact grid, R.
-        steps: Time steps.
-        momentum_error, angular_momentum_error: What is missing, over that of the motion before.
     """
 
     _name: ClassVar[str] = "oblique impact"

@@ -1,7 +1,8 @@
-"""What oblique impacts have in common: how bodies move along their surfaces before, and the SI values of it."""
+"""What oblique impacts have in common: how bodies move along their surfaces before, and where the energy is after."""
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any, Callable, ClassVar, TypeVar
 
 import numpy as np
@@ -11,7 +12,10 @@ from stoss._arguments import arranged, broadcast, numbers
 from stoss._documentation import documented
 from stoss.bodies._bodies import Body
 from stoss.bodies._solid import alone
-from stoss.results._quantities import Number, Si
+from stoss.export import _tables
+from stoss.export._text import span
+from stoss.results._quantities import Number, ObliqueLedgerQuantities, Si
+from stoss.results._result import Result
 from stoss.results._si import MayYield
 
 EITHER = ("tangential", "angle")
@@ -80,3 +84,39 @@ def choose_motion(body: Body, kept: int, **given: Any) -> tuple[NDArray[np.float
     told = {name: numbers(name, each) for name, each in given.items() if each is not None or name not in EITHER}
     arrays = dict(zip(told, broadcast(kept, **told)))
     return alone(body).collisions({name: each.ravel() for name, each in arrays.items()}), arrays["speed"].shape
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class ObliqueLedger(ObliqueLedgerQuantities, Result):
+    """Where the energy is after oblique impacts, as shares of what there was before.
+
+    That is of all motion relative to the common centre of mass, of the spins and of the vibration.
+    Numbers, or arrays of the shape of the impacts.
+    """
+
+    _name: ClassVar[str] = "oblique ledger"
+
+
+    @property
+    def total(self) -> Number:
+        """The sum: 1 but for the numerical error."""
+        return sum(self.entries().values(), start=0.0)
+
+    def entries(self) -> dict[str, Number]:
+        """All shares by their names."""
+        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
+
+    def __repr__(self) -> str:
+        told = (f"{name} {span(share)}" for name, share in self.entries().items() if np.any(share))
+        return f"ObliqueLedger({', '.join(told)})"
+
+    def __len__(self) -> int:
+        return _tables.sized(self.translation)
+
+    def __bool__(self) -> bool:
+        return True
+
+    def __getitem__(self, key: Any) -> ObliqueLedger:
+        """The shares at an index, a slice or flags, as numpy has them."""
+        len(self)  # refuses a single value
+        return ObliqueLedger(**self._selected(key, np.shape(self.translation)))

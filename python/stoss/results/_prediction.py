@@ -54,22 +54,10 @@ class Prediction(PredictionQuantities, Result):
     Attributes:
         body (Sphere): The ball.
         against: What it meets.
-        speed: Of approach, m/s.
-        restitution: ε with all channels; 0 where the bodies stick.
-        restitution_error: Its numerical error.
-        by_models: Spread of the models: how far the farthest of them is from ε.
         by_constants: What uncertain constants do to ε: root of the sum of the squares of all changes
             in `influences`; 0 where none is uncertain.
-        models_low, models_high: The lowest and the highest ε of the models.
-        restitution_without_models, restitution_without_models_error: ε without yield and adhesion,
-            of waves and loss in the material alone, and its numerical error.
-        ringing, radiation, material: Computed channels, as shares of the energy before: vibration of
-            the ball or of two, waves that leave through a block or a plate, and heat in both.
         yielding, adhesion: Channels that are models, as shares of it. In files the first is `yield`.
         dominant (str or ndarray): Which channel is the largest; 'yield' is that of `yielding`.
-        drop_height, rebound_height: From which a ball falls to this speed without air, and to which
-            it rises, m.
-        contact_time: From first to last contact, s; infinite where the bodies stick.
         influences (tuple of Influence or ndarray): What each uncertain constant changes, the largest
             change first.
         warnings (tuple of str or ndarray): What ends within the range of what was computed, with the

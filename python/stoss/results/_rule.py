@@ -17,7 +17,7 @@ from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body, shown
 from stoss.bodies._encounter import Against, encounter
-from stoss.export import _formats, _netcdf
+from stoss.export import _files, _netcdf
 from stoss.export._files import write_lines
 from stoss.export._text import brief_range
 from stoss.results._collided import Motion, collided
@@ -173,14 +173,14 @@ class CollisionRule(SpeedInSi):
     @documented
     def to_json(self, path: str | os.PathLike[str]) -> None:
         """Write all that the rule holds as JSON. The file appears whole or not at all."""
-        document = {"format": _formats.RULE, "version": _core.version, **self.to_dict()}
+        document = {"format": _files.RULE, "version": _core.version, **self.to_dict()}
         write_lines(path, [json.dumps(document), "\n"])
 
     @documented
     def to_netcdf(self, path: str | os.PathLike[str]) -> None:
         """Write the columns of `to_csv` as NetCDF-4, along speed, slip and ratio. Needs netCDF4."""
         columns, dimensions = self._arranged_columns()
-        _netcdf.write_columns(os.fspath(path), columns, dimensions, self._units_of(columns), self._inputs(), _formats.RULE)
+        _netcdf.write_columns(os.fspath(path), columns, dimensions, self._units_of(columns), self._inputs(), _files.RULE)
 
     @functools.cached_property
     def _core(self) -> _core.RuleTable:

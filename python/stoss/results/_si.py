@@ -76,7 +76,7 @@ class SpeedInSi(InSi):
         given = broadcast(speed=in_c(self.body, numbers("speed", speed)), **others)
         with told_in_c(self.body):
             found = function(*(each.ravel() for each in given))
-        return found.reshape(*found.shape[:-1], *given[0].shape)
+        return found.reshape(found.shape[:-1] + given[0].shape)
 
 
 def in_c(body: Any, speed: NDArray[np.float64]) -> NDArray[np.float64]:

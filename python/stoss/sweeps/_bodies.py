@@ -16,8 +16,7 @@ from stoss._arguments import refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._modal import ModalBody
 from stoss.bodies._solid import KINDS, Solid, Specification, describe
-from stoss.export._documents import of_json
-from stoss.export._files import write_lines
+from stoss.export._files import of_json, write_lines
 
 DIGEST = "sha256"
 

@@ -18,7 +18,7 @@ from stoss._commands import Parser, guarded, on_terminal, say
 from stoss.export._files import require_writable
 from stoss.results._progress import bar
 from stoss.sweeps import _store
-from stoss.sweeps._case import material_warnings
+from stoss.sweeps._computation import material_warnings
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._rows import Layout
 from stoss.sweeps._tasks import Part, fill, missing, parts_of

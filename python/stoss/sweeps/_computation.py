@@ -1,11 +1,10 @@
-"""What a sweep computes of each case: a curve, collision rules with friction, or an ensemble.
-
-Each knows its axes beside bodies and partners, the columns of its rows, and which function of the core fills them.
-A point is one place along the axes, in units of the user.
-"""
+"""What a sweep computes of each case, a body and what it meets: a curve, rules with friction, or an ensemble."""
 
 from __future__ import annotations
 
+import hashlib
+import json
+import math
 from typing import Any, Callable, ClassVar, Mapping, NamedTuple, Sequence, Union
 
 import numpy as np
@@ -15,10 +14,12 @@ from stoss import _core
 from stoss._arguments import integer, number, refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body
-from stoss.bodies._solid import own_units
+from stoss.bodies._encounter import Against, material_warnings_of, yield_speed_of, yield_warning_of
+from stoss.bodies._solid import Solid, Specification, own_units
 from stoss.bodies._state import choose_state
 from stoss.results._obliquity import choose_motion
 from stoss.results._quantities import QUANTITIES
+from stoss.sweeps._bodies import reference
 
 Point = Sequence[float]
 Accuracy = Mapping[str, Union[float, int]]
@@ -196,3 +197,49 @@ def choose_computation(given: Mapping[str, Any]) -> Computation:
         raise refusal("seed", given["seed"], "0 to 2147483647")
     axes = [name for name in AXES if name in said or name == "sample" and chosen is Ensemble]
     return chosen(axes, accuracy)
+
+
+MOST_WARNINGS = 4
+"""Of losses in the materials of different cases, in one sweep."""
+
+
+class Case(NamedTuple):
+    """One body and what it meets: all points along the axes have its modes in common."""
+
+    place: tuple[int, int]
+    body: Body
+    against: Against
+    inputs: Specification
+    key: str
+
+
+def material_warnings(cases: Sequence[Case], slowest: float, fastest: float) -> list[str]:
+    """What the core says of the materials of the cases, m/s: of yielding the worst case, of losses the first few."""
+    yields = _yield_warning(cases, fastest)
+    said = [yields] if yields else []
+    others: dict[str, int] = {}
+    for case in cases:
+        for text in material_warnings_of(case.body, case.against, slowest, fastest):
+            if "yields above" not in text:
+                others[text] = others.get(text, 0) + 1
+    said += list(others)[:MOST_WARNINGS]
+    left = len(others) - MOST_WARNINGS
+    return said + ([f"{left} more warnings of other cases like the last"] if left > 0 else [])
+
+
+def _yield_warning(cases: Sequence[Case], fastest: float) -> str:
+    onsets = [(yield_speed_of(case.body, case.against) or math.inf, place) for place, case in enumerate(cases)]
+    beyond = sum(onset < fastest for onset, _ in onsets)
+    if beyond == 0:
+        return ""
+    first = cases[min(onsets)[1]]
+    said = yield_warning_of(first.body, first.against, fastest)
+    return said if len(cases) == 1 else f"{beyond} of {len(cases)} cases beyond yielding; in the worst {said}"
+
+
+def case_of(place: tuple[int, int], body: Body, against: Against, accuracy: Accuracy) -> Case:
+    """A case with all inputs but the point, and their hash; a body of a file by the hash of its document."""
+    met = reference(against) if isinstance(against, Solid) else {"kind": "wall"}
+    inputs: Specification = {"body": reference(body), "against": met, **accuracy}
+    text = json.dumps(inputs, sort_keys=True)
+    return Case(place, body, against, inputs, hashlib.sha256(text.encode()).hexdigest()[:16])

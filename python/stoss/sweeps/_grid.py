@@ -18,9 +18,8 @@ from stoss.bodies._bodies import Body
 from stoss.bodies._encounter import choose_against, choose_body, refinable
 from stoss.bodies._solid import KINDS, Specification, describe
 from stoss.bodies._walls import HardWall, Unbounded
-from stoss.export import _formats
-from stoss.sweeps._case import Case, case_of
-from stoss.sweeps._computation import Computation, choose_computation
+from stoss.export import _files
+from stoss.sweeps._computation import Case, Computation, case_of, choose_computation
 from stoss.sweeps._specification import Choices, beside, choices, expanded, make, with_folder
 
 MOST_CASES = 100_000  # bodies times partners
@@ -163,7 +162,7 @@ class Grid:
         """Make a grid of the inputs as `to_dict` returns them, or as a file has them, with its `format`."""
         known = set(cls.__init__.__kwdefaults__ or {}) | {"format", "bodies", "speed"}
         if isinstance(given, Mapping) and "format" in given:
-            _formats.require("format", given["format"], _formats.GRID)
+            _files.require("format", given["format"], _files.GRID)
         if not isinstance(given, Mapping) or not {"bodies", "speed"} <= set(given) <= known:
             got = sorted(map(str, given)) if isinstance(given, Mapping) else given
             besides = ", ".join(sorted(known - {"format", "bodies", "speed"}))

@@ -12,12 +12,12 @@ import numpy as np
 
 from stoss import _core
 from stoss._errors import InvalidInput
-from stoss.export import _formats
-from stoss.export._documents import of_json
+from stoss.export import _files
+from stoss.export._files import of_json
 from stoss.export._text import UNKNOWN
 from stoss.sweeps._computation import Computation
 
-ORIGIN = re.compile(rf"# stoss ({_formats.VERSION}): sweep", re.ASCII)
+ORIGIN = re.compile(rf"# stoss ({_files.VERSION}): sweep", re.ASCII)
 
 CHECKSUM = "checksum"
 """The last column: of what stands before it in its line. Files of stoss 1.0 have none."""
@@ -103,7 +103,7 @@ def _version(file: Path, line: bytes, mix: bool) -> str:
     origin = ORIGIN.fullmatch(line.decode("utf-8", "replace"))
     if origin is None:
         raise _damaged(file, 1, line)
-    _formats.require_readable("store", str(file), origin[1])
+    _files.require_readable("store", str(file), origin[1])
     if origin[1] != _core.version and not mix:
         hint = "another version needs another store"
         raise InvalidInput.out_of_range("store", f"'{file}' of stoss {origin[1]}", _core.version, hint)

@@ -19,7 +19,7 @@ from stoss.bodies._modal import ModalBody
 from stoss.bodies._plates import Layer
 from stoss.bodies._solid import KINDS, Solid, Specification, describe
 from stoss.bodies._walls import HardWall
-from stoss.export._documents import of_json
+from stoss.export._files import of_json
 
 SOLIDS: tuple[type[Solid], ...] = PARTNERS
 CLASSES: Mapping[str, Any] = {name: made for name in KINDS for made in SOLIDS if made._kind == name}
@@ -44,9 +44,9 @@ def make(name: str, given: Specification) -> Any:
     if KINDS[kind].from_file:
         return _of_file(name, {key: each for key, each in given.items() if key != "kind"})
     try:
-        text = json.dumps(given, default=_plain)
+        text = json.dumps(given, default=_plain, allow_nan=False)
     except (TypeError, ValueError, RecursionError):
-        raise refusal(name, given, "numbers, words and lists of them") from None
+        raise refusal(name, given, "finite numbers, words and lists of them") from None
     words = _of_material(json.loads(_core.participant(name, text)))
     if "layers" in words:
         words["layers"] = [Layer(**_of_material(each)) for each in words["layers"]]

@@ -22,9 +22,8 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._errors import InvalidInput
-from stoss.export import _formats
-from stoss.export._documents import of_json
-from stoss.export._files import usual_mode
+from stoss.export import _files
+from stoss.export._files import of_json, usual_mode
 from stoss.sweeps._bodies import changed, keep, with_documents, without_documents
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._rows import Layout, Stored, stored
@@ -57,7 +56,7 @@ def create(store: str | os.PathLike[str], grid: Grid) -> Path:
         descriptor, temporary = tempfile.mkstemp(dir=path, prefix=".grid-", text=True)
         try:
             with open(descriptor, "w", encoding="utf-8") as stream:
-                stream.write(json.dumps({"format": _formats.GRID, **short}, indent=1) + "\n")
+                stream.write(json.dumps({"format": _files.GRID, **short}, indent=1) + "\n")
                 stream.flush()
                 os.fsync(stream.fileno())
             os.chmod(temporary, usual_mode())
@@ -104,7 +103,7 @@ def _inputs(path: Path) -> dict[str, Any]:
     if not isinstance(found, dict):
         raise _damaged(path, "no mapping")
     if "format" in found:
-        _formats.require("format", found.pop("format"), _formats.GRID)
+        _files.require("format", found.pop("format"), _files.GRID)
     return found
 
 

@@ -13,7 +13,7 @@ from stoss._arguments import boolean, instance, integer, refusal
 from stoss._errors import Interrupted, InvalidInput, StossWarning
 from stoss.results._progress import bar
 from stoss.sweeps import _store
-from stoss.sweeps._case import material_warnings
+from stoss.sweeps._computation import material_warnings
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._tasks import Task, compute, missing, parts_of, tasks_of
 from stoss.sweeps._values import Sweep, values_of

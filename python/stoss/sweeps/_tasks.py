@@ -13,8 +13,7 @@ from stoss.bodies._solid import Specification
 from stoss.bodies._walls import HardWall
 from stoss.sweeps import _store
 from stoss.sweeps._bodies import resolved
-from stoss.sweeps._case import Case, case_of
-from stoss.sweeps._computation import Accuracy, Computation, Range, Tick, kind_of
+from stoss.sweeps._computation import Accuracy, Case, Computation, Range, Tick, case_of, kind_of
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._rows import Layout
 from stoss.sweeps._specification import beside, make

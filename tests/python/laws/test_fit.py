@@ -149,7 +149,7 @@ def test_constants_per_mass_are_those_of_the_force():
         ({"law": "hooke"}, "law: got 'hooke', allowed 'linear', "),
         ({"speed": (1, 0.1)}, "speed: got (1, 0.1), allowed (slowest, fastest)"),
         ({"speed": 0.1}, "speed: got 0.1, allowed (slowest, fastest)"),
-        ({"speed": (0.1, 1e5)}, "allowed 1e-8 to 1 (speed"),
+        ({"speed": (0.1, 1e5)}, "allowed 5.29151e-05 to 5291.5 m/s (speed"),
         ({"friction": -1}, "friction: got -1, allowed 0 to 5"),
         ({"program": "edem"}, "program: got 'edem', allowed 'lammps', "),
         ({"law": "thornton", "program": "lammps"}, "law: got thornton for lammps, allowed linear, tsuji, viscoelastic"),

@@ -152,7 +152,7 @@ def test_one_tetrahedron_through_the_wall_is_refused(modal):
 
 
 def test_thin_share():
-    thickness = pytest.importorskip("stoss.modal._thickness")
+    thickness = pytest.importorskip("stoss.modal._mesh")
     places = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0.2, 0.2, 0.2]])
     one = np.array([[0, 1, 2, 3]])
     inside = np.array([[1, 2, 3, 4], [0, 2, 3, 4], [0, 1, 3, 4], [0, 1, 2, 4]])
