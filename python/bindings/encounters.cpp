@@ -111,21 +111,16 @@ template <typename Mode, typename Displacement>
 void bind_modes(py::module_& module, const std::string& body, std::vector<Mode> (*modes)(double, double, const Poll&),
                 std::vector<Displacement> (*displacement)(double, const Mode&, const std::vector<double>&,
                                                           const Poll&)) {
-  module.def((body + "_modes").c_str(),
-             [modes](double poisson, double cutoff) {
-               return take(computed([&](const Poll& poll) { return modes(poisson, cutoff, poll); }));
-             },
-             py::arg("poisson"), py::arg("cutoff"), "structured array of order, index, omega, radial, tangential");
-  module.def(
-      (body + "_displacement").c_str(),
+  def(module, (body + "_modes").c_str(), {"poisson", "cutoff"}, [modes](double poisson, double cutoff) {
+    return take(computed([&](const Poll& poll) { return modes(poisson, cutoff, poll); }));
+  });
+  def(module, (body + "_displacement").c_str(), {"poisson", "order", "omega", "radial", "tangential", "radii"},
       [displacement](double poisson, int order, double omega, double radial, double tangential, const Doubles& radii) {
         const std::vector<double> at = to_vector(radii);
         return take(computed([&](const Poll& poll) {
           return displacement(poisson, {order, 0, omega, radial, tangential}, at, poll);
         }));
-      },
-      py::arg("poisson"), py::arg("order"), py::arg("omega"), py::arg("radial"), py::arg("tangential"),
-      py::arg("radii"), "structured array of radial, tangential");
+      });
 }
 
 void bind_contacts(py::module_& module) {
@@ -135,104 +130,66 @@ void bind_contacts(py::module_& module) {
   seal(law);
   seal(contact);
   seal(refinable);
-  contact.def_readonly("mass", &Contact::mass)
-      .def(
-          "with_modes",
-          [](const Contact& all, const py::array_t<bool, py::array::c_style>& keep) {
-            const std::vector<bool> kept(keep.data(), keep.data() + keep.size());
-            return stoss::contact(with_modes(*all.first, kept), all.wall);
-          },
-          py::arg("keep"), "some of the modes of a body at a wall");
-  module.def("no_law", [] { return SlowLaw(); });
+  def(contact, "with_modes", {"keep"}, [](const Contact& all, const py::array_t<bool, py::array::c_style>& keep) {
+    const std::vector<bool> kept(keep.data(), keep.data() + keep.size());
+    return stoss::contact(with_modes(*all.first, kept), all.wall);
+  });
+  def(module, "no_law", [] { return SlowLaw(); });
 }
 
 }  // namespace
 
 void bind_encounters(py::module_& module) {
   bind_contacts(module);
-  module.def("kinds", &all_kinds,
-             "(name, wall, bounded, can_be_rigid, has_plane, from_file, numbers) of each, with numbers (name, unit, "
-             "default or "
-             "None, low, high, low_included, of_material)");
-  module.def("inputs", &all_inputs, "(question, name, low, high, low_included, high_included) of each input of each");
-  module.def(
-      "meets", [](const std::string& first, const std::string& against) { return meets(kind(first), kind(against)); },
-      py::arg("first"), py::arg("against"));
-  module.def(
-      "series", [](const std::string& name, const std::string& text) { return parse_series(name, text); },
-      py::arg("name"), py::arg("text"));
-  module.def("who_meets_whom", &who_meets_whom);
-  module.def("note_of_staying", &note_of_staying);
-  module.def("units", &units, py::arg("kind"), py::arg("si"), "names by dimension");
-  module.def(
-      "check_solid", [](const std::string& of, const Values& numbers) { (void)maker(kind(of).solid(numbers)); },
-      py::arg("kind"), py::arg("numbers"));
-  module.def(
-      "check_wall",
-      [](double hardness, double strength) {
-        validate(Wall(ExponentialWall{hardness, strength}));
-      },
-      py::arg("hardness"), py::arg("strength"));
+  def(module, "kinds", &all_kinds);
+  def(module, "inputs", &all_inputs);
+  def(module, "meets", {"first", "against"},
+      [](const std::string& first, const std::string& against) { return meets(kind(first), kind(against)); });
+  def(module, "series", {"name", "text"},
+      [](const std::string& name, const std::string& text) { return parse_series(name, text); });
+  def(module, "who_meets_whom", &who_meets_whom);
+  def(module, "note_of_staying", &note_of_staying);
+  def(module, "units", {"kind", "si"}, &units);
+  def(module, "check_solid", {"kind", "numbers"},
+      [](const std::string& of, const Values& numbers) { (void)maker(kind(of).solid(numbers)); });
+  def(module, "check_wall", {"hardness", "strength"}, [](double hardness, double strength) {
+    validate(Wall(ExponentialWall{hardness, strength}));
+  });
   py::class_<Encounter> handle(module, "Encounter", "Who meets whom, by its JSON document.");
   seal(handle);
-  module.def(
-      "encounter", [](const std::string& document) { return encounter_from_json(document); }, py::arg("document"));
-  module.def(
-      "participant",
-      [](const std::string& where, const std::string& text) { return to_json(participant_from_json(where, text)); },
-      py::arg("where"), py::arg("text"), "the JSON of a body or of what it meets, as the core reads it");
-  handle.def("to_json", [](const Encounter& self) { return to_json(self); })
-      .def("own", &in_units_of_first, py::arg("question"), py::arg("name"), py::arg("given"))
-      .def("collisions", &collisions, py::arg("given"))
-      .def(
-          "in_c",
-          [](const Encounter& self, const Doubles& speeds) {
-            return over([unit = speed_unit(self)](double each) { return each / unit; }, speeds);
-          },
-          py::arg("speeds"), "in any range")
-      .def("contact", &contact_at, py::arg("cutoff"), py::arg("slowest"))
-      .def(
-          "usual_cutoff",
-          [](const Encounter& self, double speed, double most) {
-            return computed([&](const Poll& poll) { return usual_cutoff(self, speed, most, poll); });
-          },
-          py::arg("speed"), py::arg("most"), "c/R of the first body")
-      .def("refinable", [](const Encounter& self) { return refinable(self); })
-      .def("slow_law", [](const Encounter& self) { return slow_law(self); })
-      .def(
-          "yield_speed", [](const Encounter& self) { return yield_speed(self); }, "m/s, or None")
-      .def(
-          "yield_warning", [](const Encounter& self, double speed) { return yield_warning(self, speed); },
-          py::arg("speed"), "What is said of elastic results at that speed in m/s, or nothing")
-      .def(
-          "loss_warnings",
-          [](const Encounter& self, double slowest, double fastest) { return loss_warnings(self, slowest, fastest); },
-          py::arg("slowest"), py::arg("fastest"), "What is said of the loss of named materials, speeds in m/s")
-      .def(
-          "sound_warnings", [](const Encounter& self) { return sound_warnings(self); },
-          "What is said of named materials that are taken as sound")
-      .def(
-          "scales", [](const Encounter& self) { return to_tuple(si_scales(self).value()); },
-          "(length, speed, time, frequency, force), of a first body with a material")
-      .def(
-          "wave_speeds",
-          [](const Encounter& self) {
-            const auto [pressure, shear, rayleigh] = wave_speeds(self);
-            return py::make_tuple(pressure, shear, rayleigh);
-          },
-          "of pressure, shear and Rayleigh waves of the half-space that is met, in c of the first body");
-  module.def("named_materials", &all_materials,
-             "(name, young, poisson, density, yield strength, loss time and surface energy, each or None) of each");
-  module.def(
-      "require_material", [](const std::string& name) { (void)named_material(name); }, py::arg("name"),
-      "Refuses a name that no material has.");
-  module.def("loss_time_of_quality", &loss_time_of_quality, py::arg("quality"), py::arg("frequency"));
-  module.def(
-      "plane_poisson",
+  def(module, "encounter", {"document"}, [](const std::string& document) { return encounter_from_json(document); });
+  def(module, "participant", {"where", "text"},
+      [](const std::string& where, const std::string& text) { return to_json(participant_from_json(where, text)); });
+  def(handle, "to_json", [](const Encounter& self) { return to_json(self); });
+  def(handle, "own", {"question", "name", "given"}, &in_units_of_first);
+  def(handle, "collisions", {"given"}, &collisions);
+  def(handle, "in_c", {"speeds"}, [](const Encounter& self, const Doubles& speeds) {
+    return over([unit = speed_unit(self)](double each) { return each / unit; }, speeds);
+  });
+  def(handle, "contact", {"cutoff", "slowest"}, &contact_at);
+  def(handle, "usual_cutoff", {"speed", "most"}, [](const Encounter& self, double speed, double most) {
+    return computed([&](const Poll& poll) { return usual_cutoff(self, speed, most, poll); });
+  });
+  def(handle, "refinable", [](const Encounter& self) { return refinable(self); });
+  def(handle, "slow_law", [](const Encounter& self) { return slow_law(self); });
+  def(handle, "yield_speed", [](const Encounter& self) { return yield_speed(self); });
+  def(handle, "yield_warning", {"speed"},
+      [](const Encounter& self, double speed) { return yield_warning(self, speed); });
+  def(handle, "loss_warnings", {"slowest", "fastest"},
+      [](const Encounter& self, double slowest, double fastest) { return loss_warnings(self, slowest, fastest); });
+  def(handle, "sound_warnings", [](const Encounter& self) { return sound_warnings(self); });
+  def(handle, "scales", [](const Encounter& self) { return to_tuple(si_scales(self).value()); });
+  def(handle, "wave_speeds", [](const Encounter& self) {
+    const auto [pressure, shear, rayleigh] = wave_speeds(self);
+    return std::tuple(pressure, shear, rayleigh);
+  });
+  def(module, "named_materials", &all_materials);
+  def(module, "require_material", {"name"}, [](const std::string& name) { (void)named_material(name); });
+  def(module, "loss_time_of_quality", {"quality", "frequency"}, &loss_time_of_quality);
+  def(module, "plane_poisson", {"young", "poisson", "density", "strain"},
       [](double young, double poisson, double density, bool strain) {
         return plane_poisson({young, poisson, density}, strain ? Plane::strain : Plane::stress);
-      },
-      py::arg("young"), py::arg("poisson"), py::arg("density"), py::arg("strain"));
+      });
   PYBIND11_NUMPY_DTYPE(bodies::Mode, order, index, omega, radial, tangential);
   PYBIND11_NUMPY_DTYPE(bodies::Displacement, radial, tangential);
   bind_modes<bodies::disk::Mode, bodies::disk::Displacement>(module, "disk", &bodies::disk::modes,

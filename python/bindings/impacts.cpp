@@ -99,16 +99,13 @@ void bind_motion(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(ModeShare, body, order, index, omega, energy);
   py::class_<Frames> handle(module, "Frames", "An impact at some times, with the motion of all modes.");
   seal(handle);
-  handle.def("summaries", &summaries);
-  module.def(
-      "motion",
+  def(handle, "summaries", &summaries);
+  def(module, "motion", {"contact", "impact", "times"},
       [](const Contact& contact, const Impact& impact, const Doubles& times) {
         const std::vector<double> at = to_vector(times);
         return computed([&](const Poll& poll) { return Frames{motion(contact, impact, at, poll)}; });
-      },
-      py::arg("contact"), py::arg("impact"), py::arg("times"));
-  module.def(
-      "surfaces",
+      });
+  def(module, "surfaces", {"encounter", "contact", "impact", "frames", "reach", "count"},
       [](const Encounter& encounter, const Contact& contact, const Impact& impact, const Frames& frames, double reach,
          std::size_t count) {
         Surfaces all = computed(
@@ -116,27 +113,19 @@ void bind_motion(py::module_& module) {
         const std::vector<py::ssize_t> shape{count_of(frames), static_cast<py::ssize_t>(count)};
         const py::object lower = all.lower.empty() ? py::none() : py::object(take(std::move(all.lower), shape));
         return py::make_tuple(take(std::move(all.lateral)), take(std::move(all.place), shape), lower);
-      },
-      py::arg("encounter"), py::arg("contact"), py::arg("impact"), py::arg("frames"), py::arg("reach"),
-      py::arg("count"),
-      "lateral distances, times x places of the surface of a half-space or a plate, and of the lower face of a plate");
-  module.def(
-      "energies_at",
+      });
+  def(module, "energies_at", {"contact", "impact", "times"},
       [](const Contact& contact, const Impact& impact, const Doubles& times) {
         const std::vector<double> at = to_vector(times);
         auto shares = computed([&](const Poll& poll) { return mode_shares(contact, impact, at, poll); });
         return take(std::move(shares), {times.size(), static_cast<py::ssize_t>(impact.energy.modes.size())});
-      },
-      py::arg("contact"), py::arg("impact"), py::arg("times"), "structured array, times x modes");
-  module.def(
-      "sound",
+      });
+  def(module, "sound", {"contact", "impact", "number", "interval", "count", "quality"},
       [](const Contact& contact, const Impact& impact, int number, double interval, std::size_t count,
          std::optional<double> quality) {
         const SoundOptions options{.body = number, .interval = interval, .count = count, .quality = quality};
         return take(computed([&](const Poll& poll) { return sound(contact, impact, options, poll); }));
-      },
-      py::arg("contact"), py::arg("impact"), py::arg("number"), py::arg("interval"), py::arg("count"),
-      py::arg("quality"), "velocity of the struck point after an impact");
+      });
 }
 
 }  // namespace
@@ -147,23 +136,17 @@ void bind_impacts(py::module_& module) {
   module.attr("oscillation") = py::dtype::of<Oscillation>();
   py::class_<Impact> handle(module, "Impact", "One impact, from which its trajectory can be repeated.");
   seal(handle);
-  handle.def("numbers", &numbers)
-      .def("modes", [](const py::object& self) { return view(self.cast<const Impact&>().energy.modes, self); })
-      .def("trajectory", &trajectory, py::arg("contact"), py::arg("every"))
-      .def(
-          "vibration_after",
-          [](const Impact& impact, const Contact& contact, double flight) {
-            return take(vibration_after(contact, impact.final_state, flight));
-          },
-          py::arg("contact"), py::arg("flight"));
-  module.def("impact", &made, py::arg("contact"), py::arg("tail"), py::arg("speed"), py::arg("step"), py::arg("nodes"),
-             py::arg("half_width"), py::arg("state"));
+  def(handle, "numbers", &numbers);
+  def(handle, "modes", [](const py::object& self) { return view(self.cast<const Impact&>().energy.modes, self); });
+  def(handle, "trajectory", {"contact", "every"}, &trajectory);
+  def(handle, "vibration_after", {"contact", "flight"},
+      [](const Impact& impact, const Contact& contact, double flight) {
+        return take(vibration_after(contact, impact.final_state, flight));
+      });
+  def(module, "impact", {"contact", "tail", "speed", "step", "nodes", "half_width", "state"}, &made);
   bind_motion(module);
-  module.def("fields", &fields, py::arg("encounter"), py::arg("number"), py::arg("contact"), py::arg("impact"),
-             py::arg("frames"), py::arg("radius"), py::arg("angle"),
-             "arrays of times x radii x angles inside a disk or a sphere, centers of the body, and its radius");
-  module.def("waves", &waves_below, py::arg("encounter"), py::arg("impact"), py::arg("state"), py::arg("times"),
-             py::arg("distance"), py::arg("depth"), "arrays of times x depths x distances");
+  def(module, "fields", {"encounter", "number", "contact", "impact", "frames", "radius", "angle"}, &fields);
+  def(module, "waves", {"encounter", "impact", "state", "times", "distance", "depth"}, &waves_below);
 }
 
 }  // namespace stoss::python

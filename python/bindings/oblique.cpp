@@ -142,14 +142,12 @@ py::tuple film(const MadeObliqueImpact& made, const Contact& contact, int every)
 void bind_one(py::module_& module) {
   py::class_<MadeObliqueImpact> handle(module, "ObliqueImpact", "One oblique impact, which can be seen again.");
   seal(handle);
-  handle.def("numbers", [](const MadeObliqueImpact& made) { return to_dict(oblique_impact_quantities(), made.impact); })
-      .def("ledger",
-           [](const MadeObliqueImpact& made) { return to_dict(oblique_ledger_quantities(), made.impact.energy); })
-      .def("trajectory", &film, py::arg("contact"), py::arg("every"),
-           "rows of the instants, and arrays: of the centres, of the points, of instants x points");
-  module.def("oblique_impact", &made_oblique, py::arg("contact"), py::arg("speed"), py::arg("motion"), py::arg("step"),
-             py::arg("nodes"), py::arg("half_width"), py::arg("state"),
-             "motion: tangential, spin, second spin, friction");
+  def(handle, "numbers",
+      [](const MadeObliqueImpact& made) { return to_dict(oblique_impact_quantities(), made.impact); });
+  def(handle, "ledger",
+      [](const MadeObliqueImpact& made) { return to_dict(oblique_ledger_quantities(), made.impact.energy); });
+  def(handle, "trajectory", {"contact", "every"}, &film);
+  def(module, "oblique_impact", {"contact", "speed", "motion", "step", "nodes", "half_width", "state"}, &made_oblique);
 }
 
 }  // namespace
@@ -157,14 +155,9 @@ void bind_one(py::module_& module) {
 void bind_oblique_impacts(py::module_& module) {
   module.attr("oblique_row") = Rows<ObliqueRestitution>(quantities_of_row()).type();
   bind_one(module);
-  module.def("check_oblique", &check, py::arg("contact"), py::arg("cases"), py::arg("tolerance"), py::arg("threads"),
-             py::arg("state"));
-  module.def("oblique_curve", &compute, py::arg("contact"), py::arg("cases"), py::arg("tolerance"), py::arg("threads"),
-             py::arg("state"), py::arg("rows").noconvert(), py::arg("reasons"), py::arg("tick"),
-             "fills rows and reasons; calls tick, unless it is None, after each");
-  bind_over(
-      module, "tangential_at", [](double angle, double speed) { return tangential_at(angle, speed); }, "angle",
-      "speed");
+  def(module, "check_oblique", {"contact", "cases", "tolerance", "threads", "state"}, &check);
+  def(module, "oblique_curve", {"contact", "cases", "tolerance", "threads", "state", "rows", "reasons", "tick"},
+      &compute);
 }
 
 }  // namespace stoss::python

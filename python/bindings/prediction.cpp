@@ -42,16 +42,11 @@ py::list predictions(const Encounter& encounter, const Doubles& speeds, std::opt
 
 void bind_prediction(py::module_& module) {
   bind_over(module, "speed_of_drop", &speed_of_drop, "heights");
-  module.def("predict", &predictions, py::arg("encounter"), py::arg("speeds"), py::arg("adhesion"),
-             py::arg("uncertainties"), py::arg("tolerance"), py::arg("threads"),
-             "the quantities of each, with influences (constant, uncertainty, change) and warnings");
-  module.def(
-      "thresholds",
-      [](const Encounter& encounter, std::optional<double> adhesion) {
-        const Thresholds made = thresholds(encounter, {.work_of_adhesion = adhesion});
-        return py::make_tuple(made.yield, made.impression, made.sticking, made.adhesion);
-      },
-      py::arg("encounter"), py::arg("adhesion"), "yield or None, impression or None, sticking, adhesion, m/s");
+  def(module, "predict", {"encounter", "speeds", "adhesion", "uncertainties", "tolerance", "threads"}, &predictions);
+  def(module, "thresholds", {"encounter", "adhesion"}, [](const Encounter& encounter, std::optional<double> adhesion) {
+    const Thresholds made = thresholds(encounter, {.work_of_adhesion = adhesion});
+    return py::make_tuple(made.yield, made.impression, made.sticking, made.adhesion);
+  });
 }
 
 }  // namespace stoss::python

@@ -28,15 +28,12 @@ namespace {
 /// The functions of a law of compression.
 template <typename Law>
 void bind_law(py::module_& module, const std::string& prefix) {
-  const auto law = py::arg("law"), poisson = py::arg("poisson"), force = py::arg("force");
-  const auto def = [&](const char* name, const auto& function, const auto&... arguments) {
-    module.def((prefix + name).c_str(), function, arguments...);
-  };
-  def("limit_force", over_law<Law>(&limit_force), law, poisson);
-  def("limit_speed", over_law<Law>(&limit_speed), law, poisson);
-  def("compression", over_law<Law>(&compression), law, poisson, force);
-  def("compression_force", over_law<Law>(&compression_force), law, poisson, py::arg("compression"));
-  def("compression_energy", over_law<Law>(&compression_energy), law, poisson, force);
+  const auto name = [&](const char* own) { return prefix + own; };
+  def(module, name("limit_force").c_str(), {"law", "poisson"}, over_law<Law>(&limit_force));
+  def(module, name("limit_speed").c_str(), {"law", "poisson"}, over_law<Law>(&limit_speed));
+  def(module, name("compression").c_str(), {"law", "poisson", "force"}, over_law<Law>(&compression));
+  def(module, name("compression_force").c_str(), {"law", "poisson", "compression"}, over_law<Law>(&compression_force));
+  def(module, name("compression_energy").c_str(), {"law", "poisson", "force"}, over_law<Law>(&compression_energy));
 }
 
 /// Slow impacts of several Poisson's ratios and speeds.
@@ -97,34 +94,23 @@ py::dict static_contact_numbers(const Pressed& body, double compression, int nod
 
 /// Stress and pressure below contacts, and what is pushed along a wall.
 void bind_statics(py::module_& module) {
-  const auto poisson = py::arg("poisson"), force = py::arg("force"), depth = py::arg("depth");
-  module.def(
-      "point_hertz_pressure",
+  def(module, "point_hertz_pressure", {"poisson", "force", "distance"},
       [](double nu, const Doubles& forces, const Doubles& distances) {
         return over([&](double f, double r) { return point_hertz_pressure(point_hertz_at_wall(nu, f), r); }, forces,
                     distances);
-      },
-      poisson, force, py::arg("distance"));
-  module.def(
-      "point_hertz_stress",
+      });
+  def(module, "point_hertz_stress", {"poisson", "force", "depth", "distance"},
       [](double nu, const Doubles& forces, const Doubles& depths, const Doubles& distances) {
         return over(
             [&](double f, double z, double r) { return point_hertz_stress(point_hertz_at_wall(nu, f), nu, z, r); },
             forces, depths, distances);
-      },
-      poisson, force, depth, py::arg("distance"), "structured array of radial, hoop, axial, shear");
-  module.def(
-      "greatest_shear",
-      [](double nu, const Doubles& forces) {
-        return over([&](double f) { return greatest_shear(point_hertz_at_wall(nu, f), nu); }, forces);
-      },
-      poisson, force, "structured array of depth, shear");
-  module.def(
-      "maw",
-      [](const Doubles& psi1, const Doubles& chi, double tolerance) {
-        return over([&](double psi, double at) { return maw(psi, at, tolerance); }, psi1, chi);
-      },
-      py::arg("psi1"), py::arg("chi"), py::arg("tolerance"), "structured array of what Maw's impact leaves");
+      });
+  def(module, "greatest_shear", {"poisson", "force"}, [](double nu, const Doubles& forces) {
+    return over([&](double f) { return greatest_shear(point_hertz_at_wall(nu, f), nu); }, forces);
+  });
+  def(module, "maw", {"psi1", "chi", "tolerance"}, [](const Doubles& psi1, const Doubles& chi, double tolerance) {
+    return over([&](double psi, double at) { return maw(psi, at, tolerance); }, psi1, chi);
+  });
   bind_over(
       module, "hertz_pressure", [](double f, double y) { return hertz_pressure(f, y); }, "force", "y");
   bind_over(
@@ -148,25 +134,21 @@ void bind_quasistatic(py::module_& module) {
                        reversed);
   module.attr("rayleigh_row") = Rows<RayleighEstimate>(rayleigh_quantities()).type();
   module.attr("point_rayleigh_row") = Rows<PointRayleighEstimate>(point_rayleigh_quantities()).type();
-  const auto law = py::arg("law"), poisson = py::arg("poisson"), speeds = py::arg("speeds");
   bind_law<CompressionLaw>(module, "");
   bind_law<PointLaw>(module, "point_");
-  module.def("contact_radius", over_law<PointLaw>(&contact_radius), law, poisson, py::arg("force"));
-  constexpr const char* rows = "structured array of its quantities";
-  module.def("slow_impact", slow_impacts<CompressionLaw>(slow_impact_quantities()), law, poisson, speeds, rows);
-  module.def("point_slow_impact", slow_impacts<PointLaw>(point_slow_impact_quantities()), law, poisson, speeds, rows);
-  constexpr const char* both = "rows for the speeds, and the modes if there is only one speed";
-  module.def("rayleigh", estimates<CompressionLaw>(rayleigh_quantities(), &bodies::disk::modes), law, poisson, speeds,
-             py::arg("cutoff"), both);
-  module.def("point_rayleigh", estimates<PointLaw>(point_rayleigh_quantities(), &bodies::sphere::modes), law, poisson,
-             speeds, py::arg("cutoff"), both);
-  module.def("static_contact", &static_contact_numbers<double>, poisson, py::arg("compression"), py::arg("nodes"));
-  module.def(
-      "point_static_contact",
+  def(module, "contact_radius", {"law", "poisson", "force"}, over_law<PointLaw>(&contact_radius));
+  def(module, "slow_impact", {"law", "poisson", "speeds"}, slow_impacts<CompressionLaw>(slow_impact_quantities()));
+  def(module, "point_slow_impact", {"law", "poisson", "speeds"},
+      slow_impacts<PointLaw>(point_slow_impact_quantities()));
+  def(module, "rayleigh", {"law", "poisson", "speeds", "cutoff"},
+      estimates<CompressionLaw>(rayleigh_quantities(), &bodies::disk::modes));
+  def(module, "point_rayleigh", {"law", "poisson", "speeds", "cutoff"},
+      estimates<PointLaw>(point_rayleigh_quantities(), &bodies::sphere::modes));
+  def(module, "static_contact", {"poisson", "compression", "nodes"}, &static_contact_numbers<double>);
+  def(module, "point_static_contact", {"poisson", "compression", "nodes"},
       [](double nu, double compression, int nodes) {
         return static_contact_numbers(Sphere{.poisson = nu}, compression, nodes);
-      },
-      poisson, py::arg("compression"), py::arg("nodes"));
+      });
   bind_statics(module);
 }
 

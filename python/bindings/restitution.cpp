@@ -104,62 +104,45 @@ void bind_distribution(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(MeanEnergy, body, order, index, energy);
   module.attr("mean_energy") = py::dtype::of<MeanEnergy>();
   module.attr("sample_row") = Rows<Sample>(sample_quantities()).type();
-  module.def(
-      "thermal",
+  def(module, "thermal", {"contact", "temperature", "highest"},
       [](const RefinableContact& contact, double temperature, double highest) {
         return take(computed([&](const Poll& poll) { return thermal(contact, temperature, highest, poll); }));
-      },
-      py::arg("contact"), py::arg("temperature"), py::arg("highest"));
-  module.def(
-      "usual_highest",
-      [](const RefinableContact& contact) {
-        return computed([&](const Poll& poll) { return usual_highest(contact, poll); });
-      },
-      py::arg("contact"));
-  module.def(
-      "frequencies",
-      [](const RefinableContact& contact, const Means& spectrum) {
-        const Spectrum modes = to_spectrum(spectrum);
-        return take(computed([&](const Poll& poll) { return frequencies(contact, modes, poll); }));
-      },
-      py::arg("contact"), py::arg("spectrum"), "c/R of the first body");
-  module.def(
-      "check_distribution",
+      });
+  def(module, "usual_highest", {"contact"}, [](const RefinableContact& contact) {
+    return computed([&](const Poll& poll) { return usual_highest(contact, poll); });
+  });
+  def(module, "frequencies", {"contact", "spectrum"}, [](const RefinableContact& contact, const Means& spectrum) {
+    const Spectrum modes = to_spectrum(spectrum);
+    return take(computed([&](const Poll& poll) { return frequencies(contact, modes, poll); }));
+  });
+  def(module, "check_distribution", {"contact", "speed", "spectrum", "samples", "seed", "error", "threads"},
       [](const RefinableContact& contact, double speed, const Means& spectrum, long samples, std::uint64_t seed,
          double error, int threads) {
         const Spectrum means = to_spectrum(spectrum);
         const DistributionOptions options = Asked{samples, seed, error, threads}.options();
         const Released released;
         validate(contact, speed, means, options);
-      },
-      py::arg("contact"), py::arg("speed"), py::arg("spectrum"), py::arg("samples"), py::arg("seed"), py::arg("error"),
-      py::arg("threads"));
-  module.def(
-      "restitution_distribution",
+      });
+  def(module, "restitution_distribution",
+      {"contact", "speed", "spectrum", "seed", "error", "threads", "rows", "reasons", "tick", "first"},
       [](const RefinableContact& contact, double speed, const Means& spectrum, std::uint64_t seed, double error,
          int threads, py::array& rows, const py::list& reasons, const std::optional<py::function>& tick, long first) {
         const Asked asked{static_cast<long>(rows.size()), seed, error, threads, first};
         distribution(contact, speed, to_spectrum(spectrum), asked, rows, reasons, tick);
-      },
-      py::arg("contact"), py::arg("speed"), py::arg("spectrum"), py::arg("seed"), py::arg("error"), py::arg("threads"),
-      py::arg("rows").noconvert(), py::arg("reasons"), py::arg("tick"), py::arg("first") = 0,
-      "fills rows and reasons from sample `first` on; calls tick, unless it is None, after each");
-  module.def("summary", &summarize, py::arg("restitution"), py::arg("error"), "of samples, at least one with a value");
+      });
+  def(module, "summary", {"restitution", "error"}, &summarize);
 }
 
 void bind_rod_chain(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(RodCollision, time, pair, speed, restitution, vibration_before, vibration_after, unresolved);
   PYBIND11_NUMPY_DTYPE(RodChainSample, time, collisions, translation, vibration, dissipated, unresolved, momentum);
-  module.def(
-      "thermal_velocities",
+  def(module, "thermal_velocities", {"rods", "temperature", "seed"},
       [](const std::vector<std::array<double, 5>>& rods, double temperature, std::uint64_t seed) {
         return take(thermal_velocities(rods_of(rods), temperature, seed));
-      },
-      py::arg("rods"), py::arg("temperature"), py::arg("seed"));
+      });
   py::class_<WatchedChain> chain(module, "RodChain", "A chain of rods and what was seen of it.");
   seal(chain);
-  module.def(
-      "rod_chain",
+  def(module, "rod_chain", {"rods", "circumference", "velocities", "modes", "count", "pieces", "tail", "decay_time"},
       [](const std::vector<std::array<double, 5>>& rods, double circumference, const Doubles& velocities, bool modes,
          int count, int pieces, const std::string& tail, std::optional<double> decay_time) {
         RodChainOptions options;
@@ -170,38 +153,29 @@ void bind_rod_chain(py::module_& module) {
         options.decay_time = decay_time;
         options.poll = signal_poll();
         return WatchedChain{RodChain(rods_of(rods), circumference, to_vector(velocities), options)};
-      },
-      py::arg("rods"), py::arg("circumference"), py::arg("velocities"), py::arg("modes"), py::arg("count"),
-      py::arg("pieces"), py::arg("tail"), py::arg("decay_time"));
-  chain.def(
-      "run",
-      [](WatchedChain& self, long collisions, double time) {
-        const Released released;
-        run(self.chain, self.record, collisions, time);
-      },
-      py::arg("collisions"), py::arg("time"));
-  chain.def("collisions", [](const WatchedChain& self) { return take(std::vector(self.record.collisions)); });
-  chain.def("samples", [](const WatchedChain& self) { return take(std::vector(self.record.samples)); });
-  chain.def("velocities", [](const WatchedChain& self) { return take(self.chain.velocities()); });
+      });
+  def(chain, "run", {"collisions", "time"}, [](WatchedChain& self, long collisions, double time) {
+    const Released released;
+    run(self.chain, self.record, collisions, time);
+  });
+  def(chain, "collisions", [](const WatchedChain& self) { return take(std::vector(self.record.collisions)); });
+  def(chain, "samples", [](const WatchedChain& self) { return take(std::vector(self.record.samples)); });
+  def(chain, "velocities", [](const WatchedChain& self) { return take(self.chain.velocities()); });
 }
 
 }  // namespace
 
 void bind_restitution(py::module_& module) {
   module.attr("restitution_row") = Rows<Restitution>(restitution_quantities()).type();
-  module.def(
-      "check_curve",
+  def(module, "check_curve", {"speeds", "tolerance", "absolute", "threads"},
       [](const Doubles& speeds, double tolerance, double absolute, int threads) {
         validate(to_vector(speeds), {.each = {.tolerance = tolerance, .absolute = absolute}, .threads = threads});
-      },
-      py::arg("speeds"), py::arg("tolerance"), py::arg("absolute"), py::arg("threads"));
-  module.def("restitution_curve", &curve, py::arg("contact"), py::arg("speeds"), py::arg("tolerance"),
-             py::arg("absolute"), py::arg("threads"), py::arg("state"), py::arg("rows").noconvert(), py::arg("reasons"),
-             py::arg("tick"), "fills rows and reasons; calls tick, unless it is None, after each");
-  module.def("slowest_bounce", &slowest_bounce, py::arg("speed"));
-  module.def("bounce", &sequence, py::arg("contact"), py::arg("tail"), py::arg("speed"), py::arg("count"),
-             py::arg("flight_time"), py::arg("gravity"), py::arg("decay_time"), py::arg("state"), py::arg("done"),
-             "appends the rows to done; returns why the sequence ended too early");
+      });
+  def(module, "restitution_curve",
+      {"contact", "speeds", "tolerance", "absolute", "threads", "state", "rows", "reasons", "tick"}, &curve);
+  def(module, "slowest_bounce", {"speed"}, &slowest_bounce);
+  def(module, "bounce", {"contact", "tail", "speed", "count", "flight_time", "gravity", "decay_time", "state", "done"},
+      &sequence);
   bind_distribution(module);
   bind_rod_chain(module);
 }

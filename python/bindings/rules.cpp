@@ -21,31 +21,26 @@ using GridOfDoubles = std::array<Doubles, 6>;
 
 RuleGrid to_grid(const GridOfDoubles& given) {
   const auto& [speed, slip, ratio, value, error, interpolation] = given;
-  RuleGrid grid{to_vector(speed), to_vector(slip), to_vector(ratio), {}, to_vector(interpolation)};
-  for (py::ssize_t i = 0; i < value.size(); ++i) grid.values.push_back({value.data()[i], error.data()[i]});
-  return grid;
+  return {to_vector(speed), to_vector(slip), to_vector(ratio), to_estimates(value, error), to_vector(interpolation)};
 }
 
-py::tuple to_tuple(const RuleGrid& grid) {
+GridOfDoubles to_doubles(RuleGrid grid) {
   const auto shape = [](auto&&... axes) { return std::vector<py::ssize_t>{static_cast<py::ssize_t>(axes)...}; };
   const auto intervals = [](const std::vector<double>& places) { return places.size() > 1 ? places.size() - 1 : 1; };
   const auto own = shape(grid.speeds.size(), grid.slips.size(), grid.ratios.size());
   const auto cells = shape(intervals(grid.speeds), intervals(grid.slips), intervals(grid.ratios));
-  std::vector<double> speeds = grid.speeds, slips = grid.slips, ratios = grid.ratios, value, error,
-                      interpolation = grid.interpolation_error;
-  for (const Estimate& each : grid.values) {
-    value.push_back(each.value);
-    error.push_back(each.error);
-  }
-  return py::make_tuple(take(std::move(speeds)), take(std::move(slips)), take(std::move(ratios)),
-                        take(std::move(value), own), take(std::move(error), own),
-                        take(std::move(interpolation), cells));
+  const auto [value, error] = to_arrays(grid.values, own);
+  return {take(std::move(grid.speeds)),
+          take(std::move(grid.slips)),
+          take(std::move(grid.ratios)),
+          value,
+          error,
+          take(std::move(grid.interpolation_error), cells)};
 }
 
 RuleTable made_rule(const GridOfDoubles& restitution, const GridOfDoubles& sliding, bool alike,
                     std::optional<double> friction, const std::string& beyond) {
-  return RuleTable({to_grid(restitution), to_grid(sliding), alike, friction},
-                   beyond == "clamp" ? Beyond::clamp : Beyond::error);
+  return RuleTable({to_grid(restitution), to_grid(sliding), alike, friction}, to_beyond(beyond));
 }
 
 /// ε_n, its error, s′ and its error, one after the other.
@@ -108,39 +103,25 @@ void bind_rules(py::module_& module) {
     std::vector<double> normal = self.restitution_nodes(), along = self.sliding_nodes();
     return std::pair(take(std::move(normal)), take(std::move(along)));
   };
-  rule.def("evaluate", &evaluated, py::arg("speed"), py::arg("sliding"), py::arg("friction"), py::arg("ratio"))
-      .def("given",
-           [](const RuleTable& self) {
-             return py::make_tuple(to_tuple(self.values().restitution), to_tuple(self.values().sliding),
-                                   self.values().alike);
-           })
-      .def("nodes", nodes)
-      .def("errors",
-           [](const RuleTable& self) {
-             return std::pair(self.greatest_restitution_error(), self.greatest_sliding_error());
-           })
-      .def(
-          "c_header",
-          [](const RuleTable& self, const std::string& name, const std::string& unit, double scale,
-             const std::vector<std::string>& provenance) {
-            return c_header(self, {.name = name, .unit = unit, .scale = scale, .provenance = provenance});
-          },
-          py::arg("name"), py::arg("unit"), py::arg("scale"), py::arg("provenance"))
-      .def(
-          "collide",
-          [](const RuleTable& self, const Encounter& encounter, int dimension, std::array<Doubles, 2> velocity,
-             std::array<Doubles, 2> spin, const Doubles& normal, const Doubles& friction,
-             const std::optional<std::array<Doubles, 2>>& radius) {
-            const MovingPair pair = moving_pair(encounter);
-            const auto all = dimension == 3 ? &collide_all<3> : &collide_all<2>;
-            all(self, pair, std::move(velocity), std::move(spin), normal, friction, radius);
-          },
-          py::arg("encounter"), py::arg("dimension"), py::arg("velocity"), py::arg("spin"), py::arg("normal"),
-          py::arg("friction"), py::arg("radius"));
-  module.def("make_rule", &made_rule, py::arg("restitution"), py::arg("sliding"), py::arg("alike"), py::arg("friction"),
-             py::arg("beyond"));
-  module.def(
-      "adaptive_rule",
+  def(rule, "evaluate", {"speed", "sliding", "friction", "ratio"}, &evaluated);
+  def(rule, "given", [](const RuleTable& self) {
+    return std::tuple(to_doubles(self.values().restitution), to_doubles(self.values().sliding), self.values().alike);
+  });
+  def(rule, "nodes", nodes);
+  def(rule, "errors", [](const RuleTable& self) {
+    return std::pair(self.greatest_restitution_error(), self.greatest_sliding_error());
+  });
+  bind_c_header(rule);
+  def(rule, "collide", {"encounter", "dimension", "velocity", "spin", "normal", "friction", "radius"},
+      [](const RuleTable& self, const Encounter& encounter, int dimension, std::array<Doubles, 2> velocity,
+         std::array<Doubles, 2> spin, const Doubles& normal, const Doubles& friction,
+         const std::optional<std::array<Doubles, 2>>& radius) {
+        const MovingPair pair = moving_pair(encounter);
+        const auto all = dimension == 3 ? &collide_all<3> : &collide_all<2>;
+        all(self, pair, std::move(velocity), std::move(spin), normal, friction, radius);
+      });
+  def(module, "make_rule", {"restitution", "sliding", "alike", "friction", "beyond"}, &made_rule);
+  def(module, "adaptive_rule", {"encounter", "speed", "ratio", "error", "tolerance", "friction", "threads"},
       [](const Encounter& encounter, const std::array<double, 2>& speed,
          const std::optional<std::array<double, 2>>& ratio, double error, double tolerance,
          std::optional<double> friction, int threads) {
@@ -150,9 +131,7 @@ void bind_rules(py::module_& module) {
           if (!ratio) return rule_table(refinable(encounter), speed[0], speed[1], options);
           return rule_table(mixture(encounter), speed[0], speed[1], (*ratio)[0], (*ratio)[1], options);
         });
-      },
-      py::arg("encounter"), py::arg("speed"), py::arg("ratio"), py::arg("error"), py::arg("tolerance"),
-      py::arg("friction"), py::arg("threads"));
+      });
 }
 
 }  // namespace stoss::python

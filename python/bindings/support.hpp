@@ -13,6 +13,8 @@
 #include "stoss/impact/vibration.hpp"
 #include "stoss/poll.hpp"
 #include "stoss/quantity.hpp"
+#include "stoss/table/c_source.hpp"
+#include "stoss/table/restitution_function.hpp"
 
 /// What the module stoss._core is made of. The package in python/stoss checks types, broadcasts and documents; here
 /// nothing is computed.
@@ -119,6 +121,35 @@ py::dict to_dict(const Quantities<Result>& quantities, const Result& result) {
   return dict;
 }
 
+/// Adds a function to a module or a class. @param names of its arguments
+template <typename Target, std::size_t count, typename Function>
+void def(Target& target, const char* name, const char* const (&names)[count], const Function& function) {
+  [&]<std::size_t... k>(std::index_sequence<k...>) { target.def(name, function, py::arg(names[k])...); }
+  (std::make_index_sequence<count>());
+}
+
+template <typename Target, typename Function>
+void def(Target& target, const char* name, const Function& function) {
+  target.def(name, function);
+}
+
+/// Values and their errors, which the core has together.
+inline std::vector<Estimate> to_estimates(const Doubles& values, const Doubles& errors) {
+  std::vector<Estimate> all;
+  for (py::ssize_t i = 0; i < values.size(); ++i) all.push_back({values.data()[i], errors.data()[i]});
+  return all;
+}
+
+/// The same as two arrays.
+inline std::pair<Doubles, Doubles> to_arrays(const std::vector<Estimate>& all, const std::vector<py::ssize_t>& shape) {
+  std::vector<double> values, errors;
+  for (const auto& [value, error] : all) {
+    values.push_back(value);
+    errors.push_back(error);
+  }
+  return {take(std::move(values), shape), take(std::move(errors), shape)};
+}
+
 /// An array of what a function has for each of the numbers of arrays of one size, computed without the interpreter.
 template <typename Function, typename... Arrays>
 auto over(const Function& function, const Doubles& first, const Arrays&... others) {
@@ -141,8 +172,35 @@ using ArrayFor = Doubles;
 /// Binds a function of numbers, over an array of each. @param names of its arguments
 template <typename Function, typename... Names>
 void bind_over(py::module_& module, const char* name, const Function& function, const Names&... names) {
-  module.def(
-      name, [function](const ArrayFor<Names>&... arrays) { return over(function, arrays...); }, py::arg(names)...);
+  def(module, name, {names...}, [function](const ArrayFor<Names>&... arrays) { return over(function, arrays...); });
+}
+
+/// The values of a table and their errors, over arrays of its places, and its maximum error. @param names of the places
+template <typename Table, typename... Names>
+void bind_values(py::class_<Table>& table, const Names&... names) {
+  const auto value = [](const Table& self, const ArrayFor<Names>&... arrays) {
+    return over([&](auto... at) { return self.value(at...); }, arrays...);
+  };
+  const auto error = [](const Table& self, const ArrayFor<Names>&... arrays) {
+    return over([&](auto... at) { return self(at...).error; }, arrays...);
+  };
+  def(table, "values", {names...}, value);
+  def(table, "errors", {names...}, error);
+  def(table, "greatest_error", &Table::greatest_error);
+}
+
+/// The header in C of a table.
+template <typename Table>
+void bind_c_header(py::class_<Table>& table) {
+  const auto header = [](const Table& self, const std::string& name, const std::string& unit, double scale,
+                         const std::vector<std::string>& provenance) {
+    return c_header(self, {.name = name, .unit = unit, .scale = scale, .provenance = provenance});
+  };
+  def(table, "c_header", {"name", "unit", "scale", "provenance"}, header);
+}
+
+inline Beyond to_beyond(const std::string& name) {
+  return name == "law" ? Beyond::law : name == "clamp" ? Beyond::clamp : Beyond::error;
 }
 
 /// The law of compression of a name, of lines or of points. @throws std::invalid_argument for another name

@@ -173,7 +173,7 @@ def restitution_distribution(
     with bar(count, boolean("progress", progress)) as seen:
         try:
             tick = None if seen is None else seen.update
-            _core.restitution_distribution(contact, initial, means, chance, limit, threads, rows, reasons, tick)
+            _core.restitution_distribution(contact, initial, means, chance, limit, threads, rows, reasons, tick, 0)
         except KeyboardInterrupt:
             stopped = True
     by_frequency = warmth is not None or callable(spectrum)
