@@ -1,7 +1,7 @@
 """Writes the stubs of an installed package, or of one that is being built: `python stubs.py FOLDER`.
 
-Those of stoss._core are what pybind11 says of its functions, those of stoss.results._quantities what follows from the
-core's tables of quantities.
+Those of stoss._core are what pybind11 says of its functions; those of results and of bodies follow from the core's tables
+of quantities and of kinds.
 """
 
 from __future__ import annotations
@@ -92,12 +92,29 @@ def of_quantities(quantities: Any) -> str:
     return "\n".join([*lines, ""])
 
 
+def of_solids(solids: Any, fields_of: Any, kinds: Any) -> str:
+    """The stub of the classes of bodies that follow from the table of kinds."""
+    lines = ["import dataclasses", "from typing import ClassVar", "", "from stoss.bodies._material import Material",
+             "from stoss.bodies._solid import Endless, Solid"]  # fmt: skip
+    for name, each in vars(solids).items():
+        if getattr(each, "__module__", "") == solids.__name__:
+            lines += ["", "@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)"]
+            lines += [f"class {name}({each.__base__.__name__}):", "    _kind: ClassVar[str]"]
+            lines += [f"    {field}: {kind} = ..." for field, kind in fields_of(kinds[each._kind]).items()]
+    return "\n".join([*lines, ""])
+
+
 def stubs() -> dict[str, str]:
     """All of them, by their places in the package that can be imported."""
     from stoss import _core
+    from stoss.bodies import _solid, _solids
     from stoss.results import _quantities
 
-    return {"_core.pyi": of_core(_core), "results/_quantities.pyi": of_quantities(_quantities)}
+    return {
+        "_core.pyi": of_core(_core),
+        "bodies/_solids.pyi": of_solids(_solids, _solid.fields_of, _solid.KINDS),
+        "results/_quantities.pyi": of_quantities(_quantities),
+    }
 
 
 if __name__ == "__main__":

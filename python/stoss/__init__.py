@@ -61,11 +61,10 @@ from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss.bodies._bodies import Body, Disk, Rod, Sphere
 from stoss.bodies._material import Material, Scales, materials
 from stoss.bodies._modal import ModalBody
-from stoss.bodies._plates import Layer, Plate, Strip
+from stoss.bodies._walls import ExponentialWall, HalfPlane, HalfSpace, HardWall, Layer, Plate, Strip, Wall
 from stoss.bodies._state import Oscillation
-from stoss.bodies._walls import ExponentialWall, HalfPlane, HalfSpace, HardWall, Wall
 from stoss.export._csv import Table, read_csv
-from stoss.export._text import with_error
+from stoss.export._tables import with_error
 from stoss.results._adaptive_rule import collision_rule
 from stoss.laws._fit import Fit, Misfit, fit
 from stoss.results._atlas import AtlasValue, atlas
@@ -80,8 +79,7 @@ from stoss.results._oblique import ObliqueRestitution, oblique
 from stoss.results._oblique_impact import ObliqueImpact, ObliqueTrajectory, oblique_impact
 from stoss.results._obliquity import ObliqueLedger
 from stoss.results._pair_table import PairTable, pair_table
-from stoss.results._predict import predict
-from stoss.results._prediction import Influence, Prediction
+from stoss.results._prediction import Influence, Prediction, predict
 from stoss.results._result import Result
 from stoss.results._rod_chain import RodChain, rod_chain
 from stoss.results._rule import CollisionRule

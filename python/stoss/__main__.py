@@ -17,7 +17,7 @@ def main() -> int:
     """Run one of these, or become the command with the same arguments; without it, say how to get it."""
     from stoss import _commands
 
-    if sys.argv[1:2] and sys.argv[1] in _commands.MODULES:
+    if sys.argv[1:2] and sys.argv[1] in _commands.NAMES:
         return _commands.run_alone(sys.argv[1:])
     places = os.pathsep.join([sysconfig.get_path("scripts"), os.environ.get("PATH", os.defpath)])
     command = shutil.which("stoss", path=places)

@@ -15,17 +15,12 @@ import os
 import signal
 import sys
 import warnings
-from typing import Any, Callable, Mapping, NoReturn, Sequence
+from typing import Any, Callable, NoReturn, Sequence
 
 from stoss import _starting
 from stoss._errors import InvalidInput, NotConverged, StossWarning
 
-MODULES: Mapping[str, str] = {
-    "sweep": "stoss.sweeps._command",
-    "merge": "stoss.sweeps._command",
-    "fit": "stoss.laws._command",
-    "table": "stoss.results._command",
-}
+NAMES = ("sweep", "merge", "fit", "table")
 
 
 class Usage(Exception):
@@ -45,7 +40,7 @@ class Parser(argparse.ArgumentParser):
 
 def main(words: Sequence[str]) -> int:
     """Run one of them. Returns the exit code."""
-    return int(importlib.import_module(MODULES[words[0]]).main(words))
+    return int(importlib.import_module("stoss._subcommands").main(words))
 
 
 def run_alone(words: Sequence[str], pipe: bool = True) -> int:

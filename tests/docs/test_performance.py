@@ -188,11 +188,11 @@ def test_times_that_others_quote():
     _, _, median, most, _ = RANGE[1e-3]
     said = rf"takes {re.escape(median)} ms in the median(?:, {most} ms or more in one case of a hundred)?"
     python = page("docs/python.md")[1]
-    for other in ("README.md", "docs/python.md", "docs/paper/paper.md", "python/stoss/results/_curves.py"):
+    for other in ("README.md", "docs/python.md", "docs/paper/paper.md", "python/stoss/results/_restitution.py"):
         text = page(other)[1]
         every = re.findall(r"takes [\d.]+ m?s in the median(?:, [\d.]+ m?s or more in one case of a hundred)?", text)
         assert len(every) == 1 and re.fullmatch(said, every[0]), (other, every)
-        assert ("one case of a hundred" in every[0]) == (other in ("docs/python.md", "python/stoss/results/_curves.py"))
+        assert ("one case of a hundred" in every[0]) == (other in ("docs/python.md", "python/stoss/results/_restitution.py"))
     _, _, finer, slowest, _ = RANGE[1e-4]
     found = re.search(r"tolerance of 10⁻⁴ ([\d.]+) ms and ([\d.]+) s", python)
     assert found[1] == finer and rounded(float(slowest) / 1e3, found[2]) and len(found[2]) >= len("0.72")

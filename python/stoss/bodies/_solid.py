@@ -54,6 +54,16 @@ KINDS: Mapping[str, Kind] = MappingProxyType(
 )
 
 
+def fields_of(kind: Kind) -> dict[str, str]:
+    """Fields of the class of a kind, with their types."""
+    fields = {each.name: "float" for each in kind.parameters}
+    if not kind.bounded and "poisson" in fields:
+        fields["poisson"] = "float | None"  # it may be that of what a block meets
+    fields["material"] = "Material | None"
+    fields |= {"plane": "str | None"} if kind.has_plane else {}
+    return fields | ({"rigid": "bool"} if kind.can_be_rigid else {})
+
+
 class Solid:
     """A body or a block: its numbers, given or those of a material.
 
@@ -77,6 +87,10 @@ class Solid:
     material: Material | None
 
     def __init_subclass__(cls) -> None:
+        if "_kind" in vars(cls) and "__annotations__" not in vars(cls):
+            cls.__annotations__ = fields_of(KINDS[cls._kind])
+            for name, kind in cls.__annotations__.items():
+                setattr(cls, name, False if kind == "bool" else LEFT_OUT)
         with_fields(cls, "Parameters")
 
     def __post_init__(self) -> None:

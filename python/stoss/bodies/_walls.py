@@ -1,15 +1,147 @@
-"""Walls, half-spaces and half-planes."""
+"""Walls, half-spaces and plates."""
 
 from __future__ import annotations
 
 import dataclasses
-from typing import Union
+import json
+from typing import Any, Sequence, Union
 
 from stoss import _core
-from stoss._arguments import number
+from stoss._arguments import brief, instance, number, refusal
+from stoss._errors import InvalidInput
 from stoss.bodies._material import Material
-from stoss.bodies._plates import Plate, Strip
-from stoss.bodies._solid import LEFT_OUT, Endless
+from stoss.bodies._solid import LEFT_OUT, Endless, Parameter, Solid, Specification, describe
+from stoss.bodies._solids import HalfPlane as HalfPlane, HalfSpace as HalfSpace, Strip as Strip
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
+class Layer(Solid):
+    """A layer of a plate, bonded to those above and below.
+
+    Parameters:
+        thickness (float, optional): Thickness h, as of a plate. The last layer may have none: it is a
+            block, on which the others lie.
+        poisson: Poisson's ratio ν, −0.95 to 0.4999; default: that of the sphere.
+        young, density: Young's modulus E and density ρ, relative to those of the sphere; default 1.
+
+    Examples:
+        >>> stoss.Layer(thickness=0.2, young=1e-2)
+        Layer(thickness=0.2, young=0.01)
+    """
+
+    _kind = "plate"
+
+    thickness: float | None = LEFT_OUT
+    poisson: float | None = LEFT_OUT
+    young: float = LEFT_OUT
+    density: float = LEFT_OUT
+    material: Material | None = None
+
+    def _chosen(self, asked: Parameter, given: Any, made: float | None, material: Material | None) -> float | None:
+        if asked.name == "thickness" and given is None:
+            return None
+        return super()._chosen(asked, given, made, material)
+
+    def _of_one(self, whole: Specification) -> Specification:
+        """What of a plate of this layer alone is not of all together."""
+        return {name: value for name, value in whole.items() if name not in ("kind", "loss_time") and value is not None}
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
+class Plate(Endless):
+    """An elastic plate, which spheres meet: infinite sideways, free on both faces.
+
+    It bends where it is struck, and waves run away in it: see `Impact.lost_to_second`. It is large
+    enough if no wave comes back from its rim before the contact ends. Its yield speed is that of a
+    block of its material, or of its first layer's.
+
+    Parameters:
+        thickness (float): Thickness h, in the unit of the sphere's radius, or with a material in m.
+        poisson: Poisson's ratio ν, −0.95 to 0.4999; default: that of the sphere.
+        young, density: Young's modulus E and density ρ, 1e-3 to 1e6 of those of the sphere; default
+            1.
+        layers (sequence of Layer, optional): In place of these numbers and of `material`, layers from
+            the top down, 20 at most, all with a material or none. Then the numbers are those of the
+            first. If their materials have different loss times, give `loss_time`.
+
+    Examples:
+        >>> stoss.Plate(thickness=2, poisson=0.3, young=0.5)
+        Plate(thickness=2, poisson=0.3, young=0.5)
+        >>> glass, plastic = stoss.materials["glass"], stoss.materials["PVB"]
+        >>> pane = stoss.Layer(thickness=4e-3, material=glass)
+        >>> safe = stoss.Plate(layers=[pane, stoss.Layer(thickness=8e-4, material=plastic), pane], loss_time=0)
+        >>> safe.thickness, safe.young, len(safe.layers)
+        (0.004, 70000000000.0, 3)
+    """
+
+    _kind = "plate"
+
+    thickness: float = LEFT_OUT
+    poisson: float | None = LEFT_OUT
+    young: float = LEFT_OUT
+    density: float = LEFT_OUT
+    loss_time: float = LEFT_OUT
+    material: Material | None = None
+    layers: Sequence[Layer] | None = None
+
+    def __post_init__(self) -> None:
+        if self.layers is None:
+            return super().__post_init__()
+        if not isinstance(self.layers, (list, tuple)) or not self.layers:
+            raise refusal("layers", self.layers, "stoss.Layer objects, from the top down")
+        for each in self.layers:
+            instance("layers", each, (Layer,))
+        top = self.layers[0]
+        for name in ("thickness", "poisson", "young", "density", "material"):
+            given, its = getattr(self, name), getattr(top, name)
+            if given is not None and given != its:
+                raise refusal(name, given, "none beside layers")
+            object.__setattr__(self, name, its)
+        layers = [each._of_one(describe(each)) for each in self.layers]
+        document: Specification = {"kind": self._kind, "layers": layers}
+        if self.loss_time is not None:
+            document["loss_time"] = self.loss_time
+        super().__post_init__()
+        object.__setattr__(self, "layers", tuple(self.layers) if len(self.layers) > 1 else None)
+        _require(document, self.material)
+
+    def __repr__(self) -> str:
+        if self.layers is None:
+            return super().__repr__()
+        usual = self.material.loss_time or 0.0 if self.material else 0.0
+        loss = f", loss_time={brief(self.loss_time)}" if self.loss_time != usual else ""
+        return f"Plate(layers={list(self.layers)!r}{loss})"
+
+    def _beside(self, body: Any) -> Plate:
+        if self.layers is None:
+            return super()._beside(body)
+        layers = [each if each.poisson is not None else dataclasses.replace(each, poisson=body.poisson)
+                  for each in self.layers]
+        return Plate(layers=layers, loss_time=self.loss_time)
+
+    def _numbers(self) -> Specification:
+        if self.layers is None:
+            return super()._numbers()
+        layers = [each._of_one(each._numbers()) for each in self.layers]
+        return {"kind": self._kind, "layers": layers, "loss_time": self.loss_time}
+
+
+def _require(plate: Specification, material: Material | None) -> None:
+    """Refuse layers that do not go together, as the core does where a sphere meets them."""
+    ball: Specification = {"kind": "sphere", "poisson": 0.3}
+    if material is not None:
+        ball = {"kind": "sphere", "radius": 1.0, "material": "structural steel"}
+    try:
+        _core.encounter(json.dumps({"first": ball, "against": plate}))
+    except InvalidInput as error:
+        raise error.renamed(error.name.removeprefix("against ")) from None
+
+
+def lower_face(against: Any, body: Any) -> float:
+    """Its depth, in radii of the body that it meets; infinite of what has none."""
+    layers = getattr(against, "layers", None) or [against]
+    known = [each.thickness for each in layers if getattr(each, "thickness", None) is not None]
+    return float(sum(known) / body.radius) if len(known) == len(layers) else float("inf")
 
 
 @dataclasses.dataclass(frozen=True, init=False)
@@ -49,64 +181,6 @@ class ExponentialWall:
 
 Wall = Union[HardWall, ExponentialWall]
 """Any wall: a hard or an exponential one."""
-
-
-@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
-class HalfSpace(Endless):
-    """An elastic half-space, which spheres meet: a block so large that no wave comes back in time.
-
-    Waves carry energy away in it: see `Impact.lost_to_second`. The block is thick enough
-    if a wave to its other side and back takes longer than the contact. Without a material its
-    numbers are ratios to those of the sphere, or in the same units.
-
-    Parameters:
-        poisson: Poisson's ratio ν, −0.95 to 0.4999; default: that of the sphere.
-        young, density: Young's modulus E and density ρ, 1e-3 to 1e6 of those of the sphere; default
-            1.
-
-    Examples:
-        >>> stoss.restitution(stoss.Sphere(poisson=0.3), against=stoss.HalfSpace(), speed=0.01)
-        Restitution(Sphere(poisson=0.3) against HalfSpace(poisson=0.3), speed=0.01 c: restitution 0.9598515 ± 0.0000044)
-        >>> steel, glass = stoss.materials["structural steel"], stoss.materials["glass"]
-        >>> ball = stoss.Sphere(radius=5e-3, material=steel)
-        >>> drop = stoss.restitution(ball, against=stoss.HalfSpace(material=glass), speed=1)
-        >>> round(drop.restitution, 3), round(drop.dissipated, 4), f"{drop.contact_time_si:.2g} s"
-        (0.994, 0.0033, '4.6e-05 s')
-    """
-
-    _kind = "half-space"
-
-    poisson: float | None = LEFT_OUT
-    young: float = LEFT_OUT
-    density: float = LEFT_OUT
-    loss_time: float = LEFT_OUT
-    material: Material | None = None
-
-
-@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
-class HalfPlane(Endless):
-    """An elastic half-plane, which disks meet: a half-space in two dimensions.
-
-    Parameters:
-        poisson: 2-D Poisson's ratio ν, −0.95 to 0.995; default: that of the disk.
-        young, density: 2-D Young's modulus E and density ρ, 1e-3 to 1e6 of those of the disk;
-            default 1.
-        plane ({'stress', 'strain'}): With a material: that of the disk.
-
-    Examples:
-        >>> stoss.restitution(poisson=0.33, against=stoss.HalfPlane(), speed=0.1)
-        Restitution(Disk(poisson=0.33) against HalfPlane(poisson=0.33), speed=0.1 c: restitution 0.56990 ± 0.00032)
-    """
-
-    _kind = "half-plane"
-
-    poisson: float | None = LEFT_OUT
-    young: float = LEFT_OUT
-    density: float = LEFT_OUT
-    loss_time: float = LEFT_OUT
-    material: Material | None = None
-    plane: str | None = None
-
 
 Unbounded = Union[HalfSpace, HalfPlane, Plate, Strip]
 UNBOUNDED = (HalfSpace, HalfPlane, Plate, Strip)

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from stoss._errors import InvalidInput
 from stoss.export import _files, _tables
-from stoss.export._text import UNKNOWN, with_error
+from stoss.export._tables import UNKNOWN, with_error
 
 AXES = {"restitution": "speed", "function": "speed", "quasistatic": "speed", "slow impact": "speed",
         "rayleigh": "speed", "modes": "mode", "trajectory": "time", "bounce": "number", "rod_chain": "time",

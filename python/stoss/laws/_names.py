@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Mapping
 
-from stoss.laws._collision import Spring
+from stoss.laws._law import KAPPA, Law, Spring
 from stoss.laws._granular import LAMMPS, LIGGGHTS, YADE
-from stoss.laws._law import KAPPA, Law
 from stoss.laws._power import HuntCrossley, Linear, Mujoco, Tsuji, Viscoelastic
 from stoss.laws._program import CHRONO, MERCURY, MUJOCO, TWO_COLUMNS, Program
 from stoss.laws._rules import Table, Thornton, Walton

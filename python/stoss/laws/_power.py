@@ -9,8 +9,9 @@ from typing import ClassVar, TypeVar
 import numpy as np
 
 from stoss._errors import InvalidInput
-from stoss.laws._collision import STIFFEST, Spring, along_normal, along_surface
-from stoss.laws._law import Array, Impacts, Law, nearest, nearest_to, scale
+from stoss.laws._law import (
+    STIFFEST, Array, Impacts, Law, Spring, along_normal, along_surface, nearest, nearest_to, scale,
+)
 
 Made = TypeVar("Made", bound="PowerLaw")
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Callable, Mapping, NamedTuple
 
-from stoss.laws._collision import Spring
-from stoss.laws._law import KAPPA
+from stoss.laws._law import KAPPA, Spring
 
 
 class Wording(NamedTuple):

@@ -7,8 +7,7 @@ import dataclasses
 import numpy as np
 from scipy import special
 
-from stoss.laws._collision import TURN, Spring
-from stoss.laws._law import Array, Impacts, Law, nearest, scale
+from stoss.laws._law import TURN, Array, Impacts, Law, Spring, nearest, scale
 
 HERTZ = 2.0 * np.sqrt(np.pi) * special.gamma(1.4) / special.gamma(0.9)
 """Duration of an impact by Hertz' law over largest overlap and speed, 2.9433."""

@@ -47,15 +47,13 @@ from stoss.plot._modes import ledger
 from stoss.plot._many import bounces, cooling, distribution, restitution_histogram
 from stoss.plot._modes import mode_shape, spectrum
 from stoss.plot._oblique import oblique, oblique_ledger
-from stoss.plot._oblique_impact import grip, oblique_impact
+from stoss.plot._trajectory import energies, force, grip, half_width, oblique_impact, velocity
 from stoss.plot._prediction import prediction
 from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
 from stoss.plot._restitution import restitution
-from stoss.plot._sequence import sequence
+from stoss.plot._sequence import sequence, wave
 from stoss.plot._stress import stress
 from stoss.plot._style import PICTURES as PICTURES
-from stoss.plot._trajectory import energies, force, half_width, velocity
-from stoss.plot._wave import wave
 
 __all__ = [
     "animate", "bounces", "cooling", "disk", "distribution", "energies", "force",

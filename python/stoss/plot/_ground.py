@@ -10,8 +10,7 @@ from matplotlib.lines import Line2D
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss.bodies._plates import lower_face
-from stoss.bodies._walls import UNBOUNDED
+from stoss.bodies._walls import UNBOUNDED, lower_face
 from stoss.plot import _style
 from stoss.results import _replay
 from stoss.results._field import Field

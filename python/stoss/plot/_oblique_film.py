@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from stoss.bodies._bodies import Disk, Sphere
 from stoss.plot import _ground, _style
-from stoss.plot._oblique_impact import GRIPS
+from stoss.plot._trajectory import GRIPS
 from stoss.plot._sequence import spoken_times
 from stoss.results._oblique_impact import ObliqueImpact
 from stoss.results._oblique_impact import ObliqueTrajectory

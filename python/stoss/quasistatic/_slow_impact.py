@@ -14,7 +14,7 @@ from stoss._arguments import arranged, broadcast, number, numbers
 from stoss._documentation import documented
 from stoss._errors import StossWarning
 from stoss.bodies._bodies import Disk, Sphere
-from stoss.export._text import span, with_error
+from stoss.export._tables import span, with_error
 from stoss.quasistatic._compression import choose_law, poissons_of
 from stoss.results._quantities import Number, RayleighQuantities, SlowImpactQuantities
 from stoss.results._result import columns, picture

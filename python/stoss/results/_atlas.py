@@ -20,7 +20,7 @@ from stoss._documentation import documented
 from stoss.bodies._bodies import Body, Disk, Sphere
 from stoss.bodies._encounter import Against, choose_against, choose_body
 from stoss.bodies._walls import UNBOUNDED, HalfPlane, HalfSpace, HardWall, Unbounded
-from stoss.export._text import span, with_error
+from stoss.export._tables import span, with_error
 from stoss.results._quantities import Number
 from stoss.results._result import Column
 from stoss.results._si import SpeedInSi, in_c, warn_at

@@ -18,7 +18,7 @@ from stoss.bodies._encounter import Against, choose_against, choose_body, choose
 from stoss.bodies._solid import own_number
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import UNBOUNDED, ExponentialWall, HardWall
-from stoss.export._text import span
+from stoss.export._tables import span
 from stoss.results._progress import waiting
 from stoss.results._quantities import BounceQuantities
 from stoss.results._result import RowResult, columns, picture

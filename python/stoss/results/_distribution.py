@@ -17,7 +17,7 @@ from stoss.bodies._encounter import Against, choose_against, choose_body, refina
 from stoss.bodies._solid import own_number
 from stoss.bodies._state import Oscillation, choose_state
 from stoss.bodies._walls import HardWall, Unbounded
-from stoss.export._text import span, with_error
+from stoss.export._tables import span, with_error
 from stoss.results._progress import bar
 from stoss.results._quantities import SampleQuantities
 from stoss.results._result import RowResult, columns, picture

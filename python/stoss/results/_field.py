@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss.export._text import span
+from stoss.export._tables import span
 from stoss.results._computed_impact import ComputedImpact
 from stoss.results._quantities import Number, SnapshotQuantities
 from stoss.results._result import Column, Result, RowResult, picture

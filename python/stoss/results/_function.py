@@ -18,7 +18,7 @@ from stoss.bodies._encounter import Against, choose_against, choose_body, encoun
 from stoss.bodies._solid import own_units
 from stoss.bodies._walls import HardWall, Unbounded
 from stoss.export._files import write_lines
-from stoss.export._text import brief_range
+from stoss.export._tables import brief_range
 from stoss.results._progress import waiting
 from stoss.results._result import Column, picture
 from stoss.results._si import SpeedInSi, told_in_c, warn_at

@@ -14,7 +14,7 @@ from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Disk, Sphere
 from stoss.bodies._encounter import choose_body
-from stoss.export._text import span
+from stoss.export._tables import span
 from stoss.results._quantities import ModeQuantities
 from stoss.results._result import RowResult, columns, picture
 

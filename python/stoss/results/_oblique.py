@@ -15,7 +15,7 @@ from stoss.bodies._encounter import Against, choose_against, choose_body, refina
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import HardWall, Unbounded
 from stoss.export import _tables
-from stoss.export._text import span, with_error
+from stoss.export._tables import span, with_error
 from stoss.results._restitution import empty_rows
 from stoss.results._obliquity import MOTION, Oblique, ObliqueLedger, choose_motion, explained
 from stoss.results._progress import bar

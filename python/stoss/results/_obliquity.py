@@ -13,7 +13,7 @@ from stoss._documentation import documented
 from stoss.bodies._bodies import Body
 from stoss.bodies._solid import alone
 from stoss.export import _tables
-from stoss.export._text import span
+from stoss.export._tables import span
 from stoss.results._quantities import Number, ObliqueLedgerQuantities, Si
 from stoss.results._result import Result
 from stoss.results._si import MayYield

@@ -16,7 +16,7 @@ from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body, Disk, Sphere, shown
 from stoss.bodies._encounter import choose_against, choose_body, encounter
 from stoss.bodies._solid import is_rigid, own_units
-from stoss.export._text import brief_range
+from stoss.export._tables import brief_range
 from stoss.results._progress import waiting
 from stoss.results._result import Column, picture
 from stoss.results._si import SpeedInSi, warn_at

@@ -15,8 +15,7 @@ from stoss.bodies._bodies import BODIES, Disk, Sphere
 from stoss.bodies._encounter import encounter
 from stoss.bodies._solid import is_rigid
 from stoss.bodies._state import choose_state
-from stoss.bodies._plates import lower_face
-from stoss.bodies._walls import UNBOUNDED
+from stoss.bodies._walls import UNBOUNDED, lower_face
 from stoss.results._computed_impact import ComputedImpact
 from stoss.results._field import DiskField, Field, SphereField, Trajectory, Wave
 from stoss.results._result import columns

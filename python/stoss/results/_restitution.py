@@ -18,7 +18,7 @@ from stoss.bodies._solid import own_units
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded
 from stoss.export import _tables
-from stoss.export._text import span, with_error
+from stoss.export._tables import span, with_error
 from stoss.results._function import RestitutionFunction, choose_beyond, function_of
 from stoss.results._progress import bar
 from stoss.results._quantities import Number, RestitutionQuantities

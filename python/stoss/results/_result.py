@@ -16,7 +16,7 @@ from stoss._documentation import documented, with_fields
 from stoss.bodies._state import shown_state
 from stoss.export import _tables
 from stoss.export._files import write_lines
-from stoss.export._text import cell, known, plain, with_error
+from stoss.export._tables import cell, known, plain, with_error
 from stoss.results._quantities import QUANTITIES
 
 Column = NDArray[Any]

@@ -13,7 +13,7 @@ from stoss._arguments import boolean, choice, integer, number, numbers, optional
 from stoss._errors import Interrupted, InvalidInput, NotConverged
 from stoss.bodies._bodies import Rod
 from stoss.bodies._encounter import choose_tail
-from stoss.export._text import span
+from stoss.export._tables import span
 from stoss.results._progress import waiting
 from stoss.results._result import Column, Result, columns, picture
 

@@ -19,7 +19,7 @@ from stoss.bodies._bodies import Body, shown
 from stoss.bodies._encounter import Against, encounter
 from stoss.export import _files, _netcdf
 from stoss.export._files import write_lines
-from stoss.export._text import brief_range
+from stoss.export._tables import brief_range
 from stoss.results._collided import Motion, collided
 from stoss.results._result import Column
 from stoss.results._si import SpeedInSi, in_c

@@ -14,7 +14,7 @@ from stoss import _core
 from stoss._errors import InvalidInput
 from stoss.export import _files
 from stoss.export._files import of_json
-from stoss.export._text import UNKNOWN
+from stoss.export._tables import UNKNOWN
 from stoss.sweeps._computation import Computation
 
 ORIGIN = re.compile(rf"# stoss ({_files.VERSION}): sweep", re.ASCII)

@@ -16,9 +16,8 @@ from stoss._arguments import brief, instance, refusal
 from stoss.bodies._bodies import PARTNERS, Body
 from stoss.bodies._material import Material, materials
 from stoss.bodies._modal import ModalBody
-from stoss.bodies._plates import Layer
+from stoss.bodies._walls import HardWall, Layer
 from stoss.bodies._solid import KINDS, Solid, Specification, describe
-from stoss.bodies._walls import HardWall
 from stoss.export._files import of_json
 
 SOLIDS: tuple[type[Solid], ...] = PARTNERS

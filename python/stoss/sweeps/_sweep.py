@@ -15,9 +15,8 @@ from stoss.results._progress import bar
 from stoss.sweeps import _store
 from stoss.sweeps._computation import material_warnings
 from stoss.sweeps._grid import Grid
-from stoss.sweeps._tasks import Task, compute, missing, parts_of, tasks_of
+from stoss.sweeps._tasks import Task, compute, flush, missing, parts_of, tasks_of
 from stoss.sweeps._values import Sweep, values_of
-from stoss.sweeps._worker import flush
 
 if TYPE_CHECKING:
     import concurrent.futures

@@ -8,8 +8,7 @@ import pytest
 from scipy import integrate, optimize
 
 from stoss._errors import InvalidInput
-from stoss.laws._collision import Spring, along_normal
-from stoss.laws._law import Impacts, Pair
+from stoss.laws._law import Impacts, Pair, Spring, along_normal
 from stoss.laws._power import HuntCrossley, Linear, Mujoco, Tsuji, Viscoelastic
 from stoss.laws._rules import Table, Thornton, Walton
 

@@ -21,7 +21,7 @@ def imported(path, package):
             yield from (module, *(f"{module}.{each.name}" for each in node.names))
 
 
-@pytest.mark.parametrize("root, name, some", [(PACKAGE, "stoss", 100), (STUDIES, "", 30)])
+@pytest.mark.parametrize("root, name, some", [(PACKAGE, "stoss", 80), (STUDIES, "", 30)])
 def test_no_circles(root, name, some):
     paths = [path for path in root.rglob("*.py") if path.name != "__main__.py"]
     parts = {path: [*filter(None, [name]), *path.relative_to(root).with_suffix("").parts] for path in paths}

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import stoss
-from stoss.sweeps._command import sample
+from stoss._subcommands import sample
 
 BALLS = {"kind": "sphere", "poisson": [0.1, 0.3]}
 PAGE = Path(__file__).parents[3] / "docs/sweeps.md"

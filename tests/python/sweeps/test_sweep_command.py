@@ -14,7 +14,7 @@ import pytest
 
 import stoss
 from stoss.sweeps._rows import Layout
-from stoss.sweeps._worker import Worker
+from stoss.sweeps._tasks import Worker
 from sweep_command import SMALL, command  # noqa: F401 (a fixture)
 
 TOML = """

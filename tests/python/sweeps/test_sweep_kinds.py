@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import stoss
-from stoss.sweeps._command import sample
+from stoss._subcommands import sample
 from sweep_command import command  # noqa: F401 (a fixture)
 from sweep_grids import RING, TOMLS, direct, grid_of
 
@@ -49,7 +49,7 @@ def test_two_processes_give_the_same_bits(alone, kind, tmp_path):
 KILLED = """
 import os, signal, sys
 import stoss
-from stoss.sweeps._worker import Worker
+from stoss.sweeps._tasks import Worker
 
 write, left = Worker._write, int(sys.argv[2])
 

@@ -9,7 +9,7 @@ import pytest
 
 import stoss
 from stoss.sweeps._rows import Layout, with_checksum
-from stoss.sweeps._worker import Worker
+from stoss.sweeps._tasks import Worker
 
 GRID = {"bodies": {"kind": "sphere", "poisson": [0.1, 0.3]}, "speed": [0.01, 0.1], "tolerance": 1e-2}
 

@@ -1,4 +1,4 @@
-"""`stoss sweep` and `stoss merge`, to which the command stoss hands over.
+"""The subcommands sweep, merge, fit, and table as NetCDF, which the command stoss hands over.
 
 The exit code is 1 where values of a merge are missing. A value that did not converge is there, with
 its error: it makes no job fail.
@@ -9,27 +9,32 @@ from __future__ import annotations
 import math
 import os
 import re
+import warnings
 from typing import Sequence
 
 import numpy as np
 
 from stoss._arguments import refusal
-from stoss._commands import Parser, guarded, on_terminal, say
+from stoss._commands import Parser, guarded, on_terminal, put, say
+from stoss._errors import StossWarning
 from stoss.export._files import require_writable
+from stoss.laws._fit import fit
+from stoss.results._adaptive_rule import collision_rule
 from stoss.results._progress import bar
 from stoss.sweeps import _store
 from stoss.sweeps._computation import material_warnings
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._rows import Layout
-from stoss.sweeps._tasks import Part, fill, missing, parts_of
+from stoss.sweeps._specification import of_document
+from stoss.sweeps._tasks import Part, Worker, fill, flush, missing, parts_of
 from stoss.sweeps._values import Sweep, merge, values_of
-from stoss.sweeps._worker import Worker, flush
 
 
 def main(words: Sequence[str]) -> int:
-    """Run one of the two commands. Returns the exit code."""
-    run = _sweep if words[0] == "sweep" else _merge
-    return guarded(lambda: run(words[1:]), "interrupted (what was finished is in the store)")
+    """Run one of them. Returns the exit code."""
+    run = {"sweep": _sweep, "merge": _merge, "fit": _fit, "table": _table}[words[0]]
+    kept = " (what was finished is in the store)" if run in (_sweep, _merge) else ""
+    return guarded(lambda: run(words[1:]), f"interrupted{kept}")
 
 
 def _sweep(words: Sequence[str]) -> int:
@@ -123,3 +128,53 @@ def _tell_missing(result: Sweep) -> None:
 def _unit(result: Sweep, name: str) -> str:
     unit = result._unit(name)
     return f" {unit}" if unit else ""
+
+
+def _fit(words: Sequence[str]) -> int:
+    parser = Parser("stoss fit", description="Fit a force law to elasticity.", allow_abbrev=False)
+    parser.add_argument("encounter", metavar="DOCUMENT", help="who meets whom, as JSON")
+    parser.add_argument("--law", required=True, metavar="NAME", help="the force law")
+    parser.add_argument("--speed", required=True, nargs=2, type=float, metavar="V", help="slowest and fastest speed")
+    parser.add_argument("--friction", type=float, default=0.0, metavar="MU", help="coefficient of friction")
+    parser.add_argument("--program", metavar="NAME", help="whose lines are written")
+    parser.add_argument("--threads", type=int, default=0, metavar="N", help="threads, 0 for all cores (default)")
+    parser.add_argument("-o", "--output", metavar="FILE", help="file of the lines")
+    given = parser.parse_args(words)
+    output = None if given.output == "-" else given.output
+    if output:
+        require_writable(output)
+    body, met = of_document(given.encounter)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", StossWarning)
+        found = fit(
+            body, against=met, law=given.law, speed=given.speed, friction=given.friction, program=given.program,
+            threads=given.threads, progress=on_terminal(),
+        )  # fmt: skip
+    if output:
+        found.write(output)
+    else:
+        put(str(found))
+    for text in dict.fromkeys(str(each.message) for each in caught):
+        say(f"stoss: warning: {text}")
+    return 0
+
+
+def _table(words: Sequence[str]) -> int:
+    parser = Parser("stoss table", description="Write a collision rule as NetCDF.", allow_abbrev=False)
+    parser.add_argument("encounter", metavar="DOCUMENT", help="who meets whom, as JSON")
+    parser.add_argument("--speed", required=True, nargs=2, type=float, metavar="V", help="slowest and fastest speed")
+    parser.add_argument("--ratio", nargs=2, type=float, metavar="R", help="smallest and largest ratio of radii")
+    parser.add_argument("--friction", type=float, metavar="MU", help="coefficient of friction")
+    parser.add_argument("--error", type=float, required=True, help="maximum error of the restitution")
+    parser.add_argument("--tolerance", type=float, required=True, help="maximum error of the sliding")
+    parser.add_argument("--threads", type=int, default=0, metavar="N", help="threads, 0 for all cores (default)")
+    parser.add_argument("-o", "--output", required=True, metavar="FILE", help="where it goes")
+    given = parser.parse_args(words)
+    require_writable(given.output)
+    body, met = of_document(given.encounter)
+    rule = collision_rule(
+        body, against=met, speed=given.speed, ratio=given.ratio, friction=given.friction, error=given.error,
+        tolerance=given.tolerance, threads=given.threads, progress=on_terminal(),
+    )  # fmt: skip
+    rule.to_netcdf(given.output)
+    return 0
