@@ -1,7 +1,7 @@
 """Writes the stubs of an installed package, or of one that is being built: `python stubs.py FOLDER`.
 
-Those of stoss._core are what pybind11 says of its functions; those of results and of bodies follow from the core's tables
-of quantities and of kinds.
+Those of stoss._core are what pybind11 says of its functions; those of results and of bodies follow from the core's
+tables of quantities and of kinds.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """What all laws have in common: their constants, how these come near to what stoss has computed, and power laws.
 
 Impacts by power laws, F = k δⁿ + g δ^q δ̇, go along the normal and with a spring along the surface. In units of the
-impact, L = (m v²/k)^{1/(n+1)} and L/v with the reduced mass m, the overlap x = δ/L obeys x″ = −xⁿ − d x^q x′ from x = 0,
-x′ = 1, with the one number d. Along the surface s is the sliding velocity over μv. The spring has the stiffness
+impact, L = (m v²/k)^{1/(n+1)} and L/v with the reduced mass m, the overlap x = δ/L obeys x″ = −xⁿ − d x^q x′ from
+x = 0, x′ = 1, with the one number d. Along the surface s is the sliding velocity over μv. The spring has the stiffness
 κ n x^{n−1}, κ times that along the normal, and its force f stays within the normal force: s′ = −(7/2) f for solid
 spheres.
 """

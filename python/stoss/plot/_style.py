@@ -138,7 +138,11 @@ def stacked(axes: Axes, x: Any, shares: Iterable[tuple[Any, str, str, str]]) -> 
 
 
 def moving_pictures(
-    figure: Figure, title: Artist, names: Sequence[str], draw: Callable[[int], list[Artist]], last: Sequence[Artist] = ()
+    figure: Figure,
+    title: Artist,
+    names: Sequence[str],
+    draw: Callable[[int], list[Artist]],
+    last: Sequence[Artist] = (),
 ) -> Iterator[NDArray[np.uint8]]:
     """Pictures, height × width × RGB, of a figure that pyplot does not know of: one for each name.
 

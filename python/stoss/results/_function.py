@@ -21,13 +21,13 @@ from stoss.export._files import write_lines
 from stoss.export._tables import brief_range
 from stoss.results._progress import waiting
 from stoss.results._result import Column, picture
-from stoss.results._si import SpeedInSi, told_in_c, warn_at
+from stoss.results._si import Evaluated, told_in_c, warn_at
 
 BEYOND = ("error", "clamp", "law")
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class RestitutionFunction(SpeedInSi):
+class RestitutionFunction(Evaluated):
     """ε as a function of the speed: call it with speeds, get values.
 
     Between computed values it is a cubic in ln v that rises and falls only as they do. Speeds are
@@ -115,10 +115,7 @@ class RestitutionFunction(SpeedInSi):
         Examples:
             >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3), beyond="clamp").to_c("restitution.h")
         """
-        provenance = [line[2:].rstrip("\n") for line in self._lines() if line.startswith("# ")]
-        if not isinstance(name, str):
-            raise refusal("name", name, "a str")
-        write_lines(path, [self._core.c_header(name, *self._given_unit, provenance)])
+        self._write_c(path, name)
 
     @documented
     def to_two_column(self, path: str | os.PathLike[str], *, error: float | None = None) -> None:
@@ -143,9 +140,6 @@ class RestitutionFunction(SpeedInSi):
         return _core.make_function(
             self.speed, self.restitution, self.restitution_error, self.interpolation_error, self.beyond, law
         )
-
-    def __getstate__(self) -> dict[str, Any]:
-        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
 
     def _of(self, speed: ArrayLike, function: Any) -> Any:
         values = self._at(function, speed)

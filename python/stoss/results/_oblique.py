@@ -14,18 +14,17 @@ from stoss.bodies._bodies import Body, shown
 from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import HardWall, Unbounded
-from stoss.export import _tables
 from stoss.export._tables import span, with_error
 from stoss.results._restitution import empty_rows
 from stoss.results._obliquity import MOTION, Oblique, ObliqueLedger, choose_motion, explained
 from stoss.results._progress import bar
 from stoss.results._quantities import Number, ObliqueQuantities, QUANTITIES
-from stoss.results._result import Column, columns, picture
+from stoss.results._result import ArrayResult, Column, columns, picture
 from stoss.results._si import finished, warn_of_turning
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class ObliqueRestitution(ObliqueQuantities, Oblique):
+class ObliqueRestitution(ObliqueQuantities, ArrayResult, Oblique):
     """The collision rule of bodies that meet at an angle, with spin and friction.
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which they broadcast: then
@@ -77,17 +76,8 @@ class ObliqueRestitution(ObliqueQuantities, Oblique):
         found = f"tangential restitution {span(self.tangential_restitution)}, {state}"
         return f"ObliqueRestitution({np.size(self.speed)} values, {of}, {friction}: {found})"
 
-    def __len__(self) -> int:
-        return _tables.sized(self.restitution)
-
-    def __bool__(self) -> bool:
-        return True
-
-    def __getitem__(self, key: Any) -> ObliqueRestitution:
-        """The values at an index, a slice or flags, as numpy has them."""
-        len(self)  # refuses a single value
-        part = self._selected(key, np.shape(self.restitution))
-        return dataclasses.replace(self, energy=self.energy[key], **part)
+    def _part(self, key: Any, shape: tuple[int, ...]) -> dict[str, Any]:
+        return {"energy": self.energy[key], **self._selected(key, shape)}
 
     def _arranged_columns(self) -> tuple[dict[str, Column], tuple[str, ...]]:
         table, shape = self._columns(), np.shape(self.restitution)

@@ -12,10 +12,9 @@ from stoss._arguments import arranged, broadcast, numbers
 from stoss._documentation import documented
 from stoss.bodies._bodies import Body
 from stoss.bodies._solid import alone
-from stoss.export import _tables
 from stoss.export._tables import span
 from stoss.results._quantities import Number, ObliqueLedgerQuantities, Si
-from stoss.results._result import Result
+from stoss.results._result import ArrayResult
 from stoss.results._si import MayYield
 
 EITHER = ("tangential", "angle")
@@ -87,7 +86,7 @@ def choose_motion(body: Body, kept: int, **given: Any) -> tuple[NDArray[np.float
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class ObliqueLedger(ObliqueLedgerQuantities, Result):
+class ObliqueLedger(ObliqueLedgerQuantities, ArrayResult):
     """Where the energy is after oblique impacts, as shares of what there was before.
 
     That is of all motion relative to the common centre of mass, of the spins and of the vibration.
@@ -95,6 +94,7 @@ class ObliqueLedger(ObliqueLedgerQuantities, Result):
     """
 
     _name: ClassVar[str] = "oblique ledger"
+    _first = "translation"
 
 
     @property
@@ -109,14 +109,3 @@ class ObliqueLedger(ObliqueLedgerQuantities, Result):
     def __repr__(self) -> str:
         told = (f"{name} {span(share)}" for name, share in self.entries().items() if np.any(share))
         return f"ObliqueLedger({', '.join(told)})"
-
-    def __len__(self) -> int:
-        return _tables.sized(self.translation)
-
-    def __bool__(self) -> bool:
-        return True
-
-    def __getitem__(self, key: Any) -> ObliqueLedger:
-        """The shares at an index, a slice or flags, as numpy has them."""
-        len(self)  # refuses a single value
-        return ObliqueLedger(**self._selected(key, np.shape(self.translation)))

@@ -19,11 +19,11 @@ from stoss.bodies._solid import is_rigid, own_units
 from stoss.export._tables import brief_range
 from stoss.results._progress import waiting
 from stoss.results._result import Column, picture
-from stoss.results._si import SpeedInSi, warn_at
+from stoss.results._si import Evaluated, warn_at
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class PairTable(SpeedInSi):
+class PairTable(Evaluated):
     """ε of two bodies of any sizes: call it with speeds and ratios of radii, get values.
 
     Between computed values it is a cubic in ln v and one in (r − 1)/(r + 1). Speeds are those of
@@ -84,9 +84,6 @@ class PairTable(SpeedInSi):
         grids = (self.speed, self.ratio, self.restitution, self.restitution_error, self.interpolation_error)
         speed, ratio, value, bars, interpolation = (np.ascontiguousarray(each).ravel() for each in grids)
         return _core.make_pair_table(speed, ratio, value, bars, interpolation, self.alike, self.beyond)
-
-    def __getstate__(self) -> dict[str, Any]:
-        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
 
     def _columns(self) -> dict[str, Column]:
         columns = {

@@ -18,11 +18,10 @@ from stoss.bodies._bodies import BODIES, PARTNERS, Sphere, shown
 from stoss.bodies._encounter import Against, drop_encounter
 from stoss.bodies._solid import own_units
 from stoss.bodies._walls import ExponentialWall, HardWall, Unbounded
-from stoss.export import _tables
 from stoss.export._tables import plain, span
 from stoss.results._progress import waiting
 from stoss.results._quantities import QUANTITIES, PredictionQuantities
-from stoss.results._result import Column, Result, picture, unit
+from stoss.results._result import ArrayResult, Column, picture, unit
 
 CHANNELS: Mapping[str, str] = {
     "ringing": "ringing", "radiation": "radiation", "material": "material", "yield": "yielding", "adhesion": "adhesion",
@@ -49,7 +48,7 @@ class Influence:
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Prediction(PredictionQuantities, Result):
+class Prediction(PredictionQuantities, ArrayResult):
     """What a drop test of a real ball shows, and where the energy goes, in SI.
 
     Numbers if the speed was one, otherwise arrays of its shape: then ``len()`` is the length of the
@@ -106,20 +105,10 @@ class Prediction(PredictionQuantities, Result):
         value = f"restitution {_rounded(self.restitution, max(parts))}, {uncertain}, most to {self.dominant}"
         return f"Prediction({of}: {value})"
 
-    def __len__(self) -> int:
-        return _tables.sized(self.restitution)
-
-    def __bool__(self) -> bool:
-        return True
-
-    def __getitem__(self, key: Any) -> Prediction:
-        """The values at an index, a slice or flags, as numpy has them."""
-        len(self)  # refuses a single value
-        shape = np.shape(self.restitution)
-        where = np.arange(np.size(self.restitution)).reshape(shape)[key]
+    def _part(self, key: Any, shape: tuple[int, ...]) -> dict[str, Any]:
+        where = np.arange(np.prod(shape)).reshape(shape)[key]
         fields = {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
-        arrays = {name: each.ravel() for name, each in fields.items() if isinstance(each, np.ndarray)}
-        return dataclasses.replace(self, **{name: _taken(each, where) for name, each in arrays.items()})
+        return {name: _taken(each.ravel(), where) for name, each in fields.items() if isinstance(each, np.ndarray)}
 
     def to_dict(self) -> dict[str, Any]:
         """As of all results; `contact_time` is None where the bodies stick."""

@@ -17,17 +17,16 @@ from stoss.bodies._encounter import Against, choose_against, choose_bodies, choo
 from stoss.bodies._solid import own_units
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded
-from stoss.export import _tables
 from stoss.export._tables import span, with_error
 from stoss.results._function import RestitutionFunction, choose_beyond, function_of
 from stoss.results._progress import bar
 from stoss.results._quantities import Number, RestitutionQuantities
-from stoss.results._result import Column, columns, picture
+from stoss.results._result import ArrayResult, Column, columns, picture
 from stoss.results._si import MayYield, finished
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Restitution(RestitutionQuantities, MayYield):
+class Restitution(RestitutionQuantities, ArrayResult, MayYield):
     """The coefficient of restitution of a body at a wall or a half-space, or of two bodies.
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
@@ -82,22 +81,14 @@ class Restitution(RestitutionQuantities, MayYield):
     def _kind_of_body(self) -> str:
         return self.bodies[0]._kind if self.bodies else "disk"
 
-    def __len__(self) -> int:
-        return _tables.sized(self.restitution)
-
-    def __bool__(self) -> bool:
-        return True
-
-    def __getitem__(self, key: Any) -> Restitution:
-        """The values at an index, a slice or flags, as numpy has them; bodies that are none of these leave."""
-        len(self)  # refuses a single value
-        values = self._selected(key, np.shape(self.restitution))
-        if self.body is None:
+    def _part(self, key: Any, shape: tuple[int, ...]) -> dict[str, Any]:
+        values = self._selected(key, shape)
+        if self.body is None:  # bodies that are none of these leave
             left = tuple(each for each in self.bodies if np.any(values["poisson"] == getattr(each, "poisson")))
             values |= {"bodies": left, "body": left[0] if len(left) == 1 else None}
             if len(left) == 1 and isinstance(self.against, (str, *UNBOUNDED)):
                 values["against"] = choose_against(left[0], self.against, ())
-        return dataclasses.replace(self, **values)
+        return values
 
     def function(self, beyond: str = "error") -> RestitutionFunction:
         """ε(v) as a function, from the values of one body at five speeds or more.

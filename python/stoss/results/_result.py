@@ -100,8 +100,7 @@ class Result:
 
     def _lines(self) -> Iterator[str]:
         """The lines of the CSV, some thousand rows at a time."""
-        yield f"# stoss {_core.version}: {self._name}\n"
-        yield from (f"# {key}: {value}\n" for key, value in self._inputs().items())
+        yield from (f"# {line}\n" for line in self._made_by())
         table = self._columns()
         yield ",".join(f"{key}[{self._unit(key)}]" if self._unit(key) else key for key in table) + "\n"
         many = 4096
@@ -109,6 +108,10 @@ class Result:
             rows = slice(first, first + many)
             columns = [known(key, column.flat[rows].tolist()) for key, column in table.items()]
             yield from (",".join(cell(value) for value in row) + "\n" for row in zip(*columns))
+
+    def _made_by(self) -> list[str]:
+        """What says in a file where it comes from."""
+        return [f"stoss {_core.version}: {self._name}", *(f"{key}: {value}" for key, value in self._inputs().items())]
 
     @classmethod
     def _dimensions(cls) -> dict[str, str]:
@@ -154,6 +157,27 @@ class Result:
         fields = {field.name for field in dataclasses.fields(self)}
         held = {name: getattr(self, name) for name in self._dimensions() if name in fields}
         return {name: np.asarray(each) for name, each in held.items() if each is not None}
+
+
+class ArrayResult(Result):
+    """A result of numbers, or of arrays of one shape: `len()` is that of the first axis, indices select as in numpy."""
+
+    _first: ClassVar[str] = "restitution"  # a field of that shape
+
+    def __len__(self) -> int:
+        return _tables.sized(getattr(self, self._first))
+
+    def __bool__(self) -> bool:
+        return True
+
+    def __getitem__(self, key: Any) -> Any:
+        """The values at an index, a slice or flags, as numpy has them."""
+        len(self)  # refuses a single value
+        return dataclasses.replace(self, **self._part(key, np.shape(getattr(self, self._first))))
+
+    def _part(self, key: Any, shape: tuple[int, ...]) -> dict[str, Any]:
+        """The fields that are another for the values at an index."""
+        return self._selected(key, shape)
 
 
 class RowResult(Result):

@@ -22,13 +22,13 @@ from stoss.export._files import write_lines
 from stoss.export._tables import brief_range
 from stoss.results._collided import Motion, collided
 from stoss.results._result import Column
-from stoss.results._si import SpeedInSi, in_c
+from stoss.results._si import Evaluated, in_c
 
 Array = NDArray[np.float64]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class CollisionRule(SpeedInSi):
+class CollisionRule(Evaluated):
     """What a collision with friction does, as a function: ε_n and s′, and velocities and spins after.
 
     s = v_t + Ω₁R₁ + Ω₂R₂ is the velocity at which the first body's point of contact slides over the
@@ -165,10 +165,7 @@ class CollisionRule(SpeedInSi):
             >>> rule = stoss.collision_rule(stoss.Sphere(poisson=0.3), speed=(1e-3, 1e-2))
             >>> rule.to_c("rule.h")
         """
-        provenance = [f"stoss {_core.version}: {self._name}", *(f"{k}: {v}" for k, v in self._inputs().items())]
-        if not isinstance(name, str):
-            raise refusal("name", name, "a str")
-        write_lines(path, [self._core.c_header(name, *self._given_unit, provenance)])
+        self._write_c(path, name)
 
     @documented
     def to_json(self, path: str | os.PathLike[str]) -> None:
@@ -193,9 +190,6 @@ class CollisionRule(SpeedInSi):
             self.restitution.ravel(), self.restitution_error.ravel(), self.restitution_interpolation_error.ravel(),
         )  # fmt: skip
         return _core.make_rule(restitution, sliding, self.alike, self.friction, self.beyond)
-
-    def __getstate__(self) -> dict[str, Any]:
-        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
 
     def _friction(self, friction: ArrayLike | None) -> Array:
         if friction is None and self.friction is None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import dataclasses
 import warnings
 from typing import Any, Callable, Iterator, TypeVar
 
@@ -10,11 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core
-from stoss._arguments import broadcast, numbers
+from stoss._arguments import broadcast, numbers, refusal
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss.bodies._encounter import material_warnings_of, yield_speed_of
 from stoss.bodies._material import Material
 from stoss.bodies._solid import alone
+from stoss.export._files import write_lines
 from stoss.results._quantities import Number, Si
 from stoss.results._result import Result
 
@@ -77,6 +79,21 @@ class SpeedInSi(InSi):
         with told_in_c(self.body):
             found = function(*(each.ravel() for each in given))
         return found.reshape(found.shape[:-1] + given[0].shape)
+
+
+class Evaluated(SpeedInSi):
+    """What a table of the core evaluates at speeds: it is made again where it is needed, and never written."""
+
+    _core: Any
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
+
+    def _write_c(self, path: Any, name: Any) -> None:
+        """A header in C. The file appears whole or not at all."""
+        if not isinstance(name, str):
+            raise refusal("name", name, "a str")
+        write_lines(path, [self._core.c_header(name, *self._given_unit, self._made_by())])
 
 
 def in_c(body: Any, speed: NDArray[np.float64]) -> NDArray[np.float64]:
