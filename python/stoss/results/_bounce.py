@@ -22,7 +22,7 @@ from stoss.export._tables import span
 from stoss.results._progress import waiting
 from stoss.results._quantities import BounceQuantities
 from stoss.results._result import RowResult, columns, picture
-from stoss.results._si import MayYield, warn_of_large_strain, warn_of_materials
+from stoss.results._si import MayYield, warn_of_limits, warn_of_materials
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -138,7 +138,7 @@ def bounce(
         raise Interrupted(f"bounce: interrupted after {len(result)} of {times} impacts (they are in .best)", result)
     if reason:
         raise NotConverged(reason, result)
-    warn_of_large_strain(result, 2)
+    warn_of_limits(result, 2)
     if short := int(np.count_nonzero(result.short_flight)):
         text = f"{short} flights too short for the vibration to keep clear of the wall (see .short_flight)"
         warnings.warn(text, StossWarning, stacklevel=2)

@@ -21,7 +21,7 @@ from stoss.export._tables import span, with_error
 from stoss.results._progress import bar
 from stoss.results._quantities import SampleQuantities
 from stoss.results._result import RowResult, columns, picture
-from stoss.results._si import InSi, warn_at, warn_of_doubt, warn_of_large_strain
+from stoss.results._si import InSi, warn_at, warn_of_doubt, warn_of_limits
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -190,7 +190,7 @@ def restitution_distribution(
         text = f"restitution_distribution: interrupted after {len(reasons)} of {count} samples (they are in .best)"
         raise Interrupted(text, result)
     warn_of_doubt(result.converged, "samples", 2)
-    warn_of_large_strain(result, 2)
+    warn_of_limits(result, 2)
     warn_at(chosen, met, initial, 2)
     return result
 

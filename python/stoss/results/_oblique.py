@@ -20,7 +20,7 @@ from stoss.results._obliquity import MOTION, Oblique, ObliqueLedger, choose_moti
 from stoss.results._progress import bar
 from stoss.results._quantities import Number, ObliqueQuantities, QUANTITIES
 from stoss.results._result import ArrayResult, Column, columns, picture
-from stoss.results._si import finished, warn_of_turning
+from stoss.results._si import finished
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -151,5 +151,4 @@ def oblique(
     shaped, shares = ({name: arranged(each, shape) for name, each in own.items()} for own in (values, ledger))
     kept = modes if modes.size else None
     result = ObliqueRestitution(chosen, met, tolerance=limit, state=kept, energy=ObliqueLedger(**shares), **shaped)
-    warn_of_turning(result, 2)
     return finished(result, len(why) if stopped else None)

@@ -170,8 +170,7 @@ def finished(curve: Curve, done: int | None) -> Curve:
             raise NotConverged(f"{curve._name}: {result.reason}", curve)
     else:
         warn_of_doubt(result.converged, "values", 3)
-    warn_of_staying(curve, 3)
-    warn_of_large_strain(curve, 3)
+    warn_of_limits(curve, 3)
     warn_of_materials(curve, 3)
     return curve
 
@@ -190,26 +189,25 @@ def warn_at(body: Any, against: Any, speed: Any, stacklevel: int, lossy: bool = 
         warnings.warn(said, StossWarning, stacklevel=stacklevel + 1)
 
 
-def warn_of_staying(result: Any, stacklevel: int) -> None:
-    """A note, as from that many calls above, of bodies that stay on an infinite plate."""
-    if np.any(result.stays):
-        warnings.warn(_core.note_of_staying(), StossWarning, stacklevel=stacklevel + 1)
+BEYOND = {
+    "stays": ("", ""),
+    "beyond_small_strain": (
+        "strain", "strain of some {:.3g}, above 0.1: linear elasticity is no longer accurate there"
+    ),
+    "beyond_small_turn": (
+        "turned",
+        "the bodies turn by {:.2g} rad while they touch, and their contact rolls by more than its half-width: linear"
+        " kinematics is no longer accurate there",
+    ),
+}
+"""Flags of results, and of those that no model describes well the quantity and what is said of its maximum."""
 
 
-def warn_of_large_strain(result: Any, stacklevel: int) -> None:
-    """A warning, as from that many calls above, of impacts that no linear elasticity describes."""
-    if np.any(result.beyond_small_strain):
-        strain = np.max(np.asarray(result.strain)[np.asarray(result.beyond_small_strain)])
-        text = f"strain of some {strain:.3g}, above 0.1: linear elasticity is no longer accurate there"
-        warnings.warn(text, StossWarning, stacklevel=stacklevel + 1)
-
-
-def warn_of_turning(result: Any, stacklevel: int) -> None:
-    """A warning, as from that many calls above, of bodies that turn too far for linear kinematics while they touch."""
-    if np.any(result.beyond_small_turn):
-        turned = np.max(np.asarray(result.turned)[np.asarray(result.beyond_small_turn)])
-        text = (
-            f"the bodies turn by {turned:.2g} rad while they touch, and their contact rolls by more than its"
-            " half-width: linear kinematics is no longer accurate there"
-        )
-        warnings.warn(text, StossWarning, stacklevel=stacklevel + 1)
+def warn_of_limits(result: Any, stacklevel: int) -> None:
+    """Warnings, as from that many calls above, of bodies that stay, or deform or turn too much for what is computed."""
+    for flag, (quantity, said) in BEYOND.items():
+        beyond = np.asarray(getattr(result, flag, False))
+        if np.any(beyond):
+            most = np.max(np.asarray(getattr(result, quantity))[beyond]) if quantity else 0.0
+            text = said.format(most) or _core.note_of_staying()
+            warnings.warn(text, StossWarning, stacklevel=stacklevel + 1)

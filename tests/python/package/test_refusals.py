@@ -207,7 +207,7 @@ def test_shapes_that_do_not_fit():
         (lambda: quasistatic.slow_impact(poisson=[0.1, 0.2], speed=[0.1, 0.1, 0.1]), "poisson, speed"),
         (lambda: quasistatic.maw(psi1=[1, 2], chi=[1, 2, 3]), "psi1, chi"),
         (lambda: stoss.oblique(BALL, speed=[0.1, 0.2], spin=[0, 0, 0], friction=0.1),
-         "speed, tangential, spin, second_spin, friction"),
+         "speed, spin, second_spin, friction"),
     ):  # fmt: skip
         with pytest.raises(stoss.InvalidInput,
          match=rf"^{names}: got shapes \(2,\) and .*\(3,\).*, allowed shapes that"):
