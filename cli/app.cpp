@@ -4,9 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "input/inputs.hpp"
-#include "output/help.hpp"
-#include "process/system.hpp"
-#include "process/text.hpp"
+#include "process/process.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/version.hpp"
 
@@ -37,7 +35,7 @@ std::vector<std::string> candidates(const CLI::App& app) {
 }  // namespace
 
 void declare(CLI::App& app, std::string_view commit) {
-  app.formatter(std::make_shared<Help>(terminal_width()));
+  app.formatter(help_formatter(terminal_width()));
   app.description("Coefficient of restitution of elastic bodies from first principles");
   app.name("stoss");
   const std::string origin = commit.empty() ? "" : fmt::format(" (commit {})", commit);

@@ -21,6 +21,9 @@ void declare(CLI::App& app, std::string_view commit = {});
 /// Thrown at the end of a subcommand that has written all it has, but not as accurate as asked for.
 struct NotAsAsked {};
 
+/// The help of the command and its subcommands, wrapped to a width in characters: names left, what they mean right.
+[[nodiscard]] std::shared_ptr<CLI::FormatterBase> help_formatter(std::size_t width);
+
 /// The command line, quoted so that a shell reads it back: for provenance.
 [[nodiscard]] std::string command_line();
 void set_command_line(int argc, char** argv);

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "app.hpp"
-#include "process/text.hpp"
+#include "process/process.hpp"
 #include "stoss/version.hpp"
 
 namespace {

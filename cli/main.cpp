@@ -12,8 +12,6 @@
 #include "commit.hpp"
 #include "output/output.hpp"
 #include "process/process.hpp"
-#include "process/system.hpp"
-#include "process/text.hpp"
 #include "stoss/errors.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include "input/encounter.hpp"
 #include "input/inputs.hpp"
 #include "oracle.hpp"
-#include "process/text.hpp"
+#include "process/process.hpp"
 #include "stoss/encounter/document.hpp"
 
 using namespace stoss;

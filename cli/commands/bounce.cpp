@@ -9,7 +9,6 @@
 #include "input/encounter.hpp"
 #include "input/inputs.hpp"
 #include "output/output_options.hpp"
-#include "output/progress.hpp"
 #include "process/process.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/vibration/quantities.hpp"
@@ -22,8 +21,7 @@ struct BounceArguments {
   ApproachOptions approach;
   int count = 100;
   std::optional<double> flight_time, gravity, decay_time;
-  std::string tail = "radiating";
-  double cutoff = 0.0;
+  KeptOptions kept;
   OutputOptions output;
   CLI::App* command = nullptr;
 };
@@ -36,16 +34,9 @@ BounceOptions make_options(const BounceArguments& arguments, const Encounter& en
           .flight_time = own("flight_time", arguments.flight_time),
           .gravity = own("gravity", arguments.gravity),
           .decay_time = own("decay_time", arguments.decay_time),
-          .resolution = {.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating},
+          .resolution = {.tail = arguments.kept.tail(*arguments.command, encounter)},
           .vibration = encounter.vibration,
           .poll = waiting(arguments.output, "bounces")};
-}
-
-Provenance describe(const BounceArguments& arguments, const Encounter& encounter) {
-  Provenance its = provenance(*arguments.command, encounter);
-  its.inputs["cutoff"] = arguments.cutoff;
-  if (!is_soft(encounter)) its.inputs["tail"] = arguments.tail;
-  return its;
 }
 
 Fields<Bounce> bounce_fields(const Units& units) {
@@ -64,14 +55,14 @@ Fields<Bounce> bounce_fields(const Units& units) {
 void run(const BounceArguments& asked_for) {
   BounceArguments arguments = asked_for;
   const Encounter encounter = arguments.who.encounter();
-  refuse_tail(*arguments.command, encounter);
   const Units units = units_of(encounter);
   const double first = arguments.approach.one(units, "that of the first impact");
   const double slowest = slowest_bounce(first);
   catch_interrupts();
   const BounceOptions options = make_options(arguments, encounter, units);
-  if (!given(*arguments.command, "--cutoff")) arguments.cutoff = usual_cutoff(encounter, slowest, 20.0, options.poll);
-  const Contact contact = contact_of(encounter, arguments.cutoff, slowest, options.poll);
+  KeptOptions& kept = arguments.kept;
+  kept.choose(*arguments.command, encounter, slowest, 20.0, options.poll);
+  const Contact contact = contact_of(encounter, kept.cutoff, slowest, options.poll);
   validate(contact, first, options);
 
   const Fields<Bounce> its = bounce_fields(units);
@@ -82,7 +73,7 @@ void run(const BounceArguments& asked_for) {
   double strain = 0.0;  // greatest that is beyond what is small
   long short_flights = 0;
   const OutputOptions& output = arguments.output;
-  Writer writer = output.writer(describe(arguments, encounter), columns);
+  Writer writer = output.writer(kept.provenance(*arguments.command, encounter), columns);
   writer.finish_after([&] {
     bounce(contact, first, options, [&](const Bounce& bounce, const Impact&) {
       Row row = its.row(bounce);
@@ -126,9 +117,7 @@ void add_bounce(CLI::App& app) {
   arguments.who.add_to(command, true, "\nA second body that is free does not come back: it is refused");
   add_modes_to(command, arguments.who.modes);
   add_flight(command, arguments);
-  add_choice(command, "--tail", arguments.tail, {"radiating", "static"},
-             "How modes above the cutoff answer (default: radiating); static keeps\nall energy", "TAIL", "Resolution");
-  add_input(command, Question::bounce, "cutoff", arguments.cutoff, "Resolution");
+  arguments.kept.add_to(command, Question::bounce);
   arguments.output.add_to(command);
 }
 

@@ -5,7 +5,6 @@
 #include "input/encounter.hpp"
 #include "input/inputs.hpp"
 #include "process/process.hpp"
-#include "process/text.hpp"
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"

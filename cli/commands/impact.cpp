@@ -10,7 +10,6 @@
 #include "input/encounter.hpp"
 #include "input/inputs.hpp"
 #include "output/output_options.hpp"
-#include "output/progress.hpp"
 #include "process/process.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/quantities.hpp"
@@ -21,21 +20,13 @@ namespace {
 struct ImpactArguments {
   EncounterOptions who;
   ApproachOptions approach;
-  std::string tail = "radiating";
-  double cutoff = 0.0;
+  KeptOptions kept;
   Resolution resolution;
   std::string trajectory;
   int every = 1;
   OutputOptions output;
   CLI::App* command = nullptr;
 };
-
-Provenance describe(const ImpactArguments& arguments, const Encounter& encounter) {
-  Provenance its = provenance(*arguments.command, encounter);
-  its.inputs["cutoff"] = arguments.cutoff;
-  if (!is_soft(encounter)) its.inputs["tail"] = arguments.tail;
-  return its;
-}
 
 /// The one row of the result, and its columns.
 std::pair<Columns, Row> make_row(const Impact& impact, const Encounter& encounter) {
@@ -102,7 +93,7 @@ void check_trajectory(const ImpactArguments& arguments) {
 Impact compute(const ImpactArguments& arguments, const Encounter& encounter, const Contact& contact, double speed,
                const ImpactOptions& options) {
   if (arguments.trajectory.empty()) return impact(contact, speed, options);
-  Provenance provenance = describe(arguments, encounter);
+  Provenance provenance = arguments.kept.provenance(*arguments.command, encounter);
   provenance.schema = "trajectory";
   provenance.inputs["speed"] = speed;
   const Fields<Snapshot> fields(snapshot_quantities(), units_of(encounter));
@@ -121,16 +112,16 @@ Impact compute(const ImpactArguments& arguments, const Encounter& encounter, con
 void run(const ImpactArguments& asked_for) {
   ImpactArguments arguments = asked_for;
   const Encounter encounter = arguments.who.encounter();
-  refuse_tail(*arguments.command, encounter);
+  KeptOptions& kept = arguments.kept;
+  arguments.resolution.tail = kept.tail(*arguments.command, encounter);
   check_trajectory(arguments);
   const double speed = arguments.approach.one(units_of(encounter), "stoss restitution takes lists");
   catch_interrupts();
   ImpactOptions options{.resolution = arguments.resolution, .poll = waiting(arguments.output, "impact")};
-  options.resolution.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
   const OutputOptions& asked = arguments.output;
   Output output(asked.path);
-  if (!given(*arguments.command, "--cutoff")) arguments.cutoff = usual_cutoff(encounter, speed, 50.0, options.poll);
-  const Contact contact = contact_of(encounter, arguments.cutoff, speed, options.poll);
+  kept.choose(*arguments.command, encounter, speed, 50.0, options.poll);
+  const Contact contact = contact_of(encounter, kept.cutoff, speed, options.poll);
   const Vibration& vibration = encounter.vibration;
   if (!vibration.empty()) options.start = approach(contact, speed, vibration);
   const Impact result = compute(arguments, encounter, contact, speed, options);
@@ -148,7 +139,7 @@ void run(const ImpactArguments& asked_for) {
     const bool pair = against.name == "same" || (!against.wall && !unbounded);
     return write_table(std::move(output), columns, row, std::move(modes), pair, !vibration.empty());
   }
-  Writer writer(std::move(output), asked.chosen_format(), describe(arguments, encounter), columns);
+  Writer writer(std::move(output), asked.chosen_format(), kept.provenance(*arguments.command, encounter), columns);
   writer.add(row);
   if (asked.chosen_format() == Format::json) {
     writer.attach("modes", to_json(mode_energy_quantities(), result.energy.modes));
@@ -173,10 +164,7 @@ void add_impact(CLI::App& app) {
   arguments.approach.add_to(command, Question::impact, "Motion");
   arguments.who.add_to(command, true);
   add_modes_to(command, arguments.who.modes);
-  add_choice(command, "--tail", arguments.tail, {"radiating", "static"},
-             "Model of the modes above the cutoff: radiating absorbs energy, static does not (default: radiating)",
-             "TAIL", "Against");
-  add_input(command, Question::impact, "cutoff", arguments.cutoff, "Resolution");
+  arguments.kept.add_to(command, Question::impact);
   add_input(command, Question::impact, "step", arguments.resolution.step, "Resolution");
   add_input(command, Question::impact, "nodes", arguments.resolution.nodes, "Resolution");
   add(command, "--trajectory", arguments.trajectory,

@@ -7,7 +7,6 @@
 #include "input/encounter.hpp"
 #include "input/inputs.hpp"
 #include "output/output_options.hpp"
-#include "output/progress.hpp"
 #include "process/process.hpp"
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/bodies/sphere/modes.hpp"

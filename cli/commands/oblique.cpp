@@ -45,28 +45,25 @@ struct Collisions {
   bool spinning = false;
   Units units = units_of(encounter);
 
-  [[nodiscard]] Columns key_columns() const;
-  [[nodiscard]] Row key(std::size_t row) const;
+  [[nodiscard]] Columns key_columns() const {
+    Columns columns = speed_columns(units);
+    if (!angles.empty()) columns.push_back({"angle", "deg", 9});
+    append(columns, input_columns("tangential", Dimension::speed, units, angles.empty() ? 14 : 0),
+           input_columns("spin", Dimension::frequency, units, spinning ? 13 : 0),
+           input_columns("second_spin", Dimension::frequency, units, 0), Columns{{"friction"}});
+    return columns;
+  }
+
+  [[nodiscard]] Row key(std::size_t row) const {
+    const auto& [speed, before] = cases[row];
+    Row key = speed_row(units, speed);
+    if (!angles.empty()) key.emplace_back(angles[row]);
+    append(key, input_row(before.tangential, Dimension::speed, units),
+           input_row(before.spin, Dimension::frequency, units),
+           input_row(before.second_spin, Dimension::frequency, units), Row{before.friction});
+    return key;
+  }
 };
-
-Columns Collisions::key_columns() const {
-  Columns columns = speed_columns(units);
-  if (!angles.empty()) columns.push_back({"angle", "deg", 9});
-  append(columns, input_columns("tangential", Dimension::speed, units, angles.empty() ? 14 : 0),
-         input_columns("spin", Dimension::frequency, units, spinning ? 13 : 0),
-         input_columns("second_spin", Dimension::frequency, units, 0), Columns{{"friction"}});
-  return columns;
-}
-
-Row Collisions::key(std::size_t row) const {
-  const auto& [speed, before] = cases[row];
-  Row key = speed_row(units, speed);
-  if (!angles.empty()) key.emplace_back(angles[row]);
-  append(key, input_row(before.tangential, Dimension::speed, units),
-         input_row(before.spin, Dimension::frequency, units),
-         input_row(before.second_spin, Dimension::frequency, units), Row{before.friction});
-  return key;
-}
 
 Collisions make_collisions(const ObliqueArguments& arguments) {
   Collisions made{.encounter = arguments.who.encounter()};
@@ -122,42 +119,30 @@ nlohmann::ordered_json oblique_details(const ObliqueRestitution& result) {
   return object;
 }
 
-/// What is said at the end of the coupling that spheres are computed without.
-class NeglectedNote {
- public:
-  /// Takes note of a row, also of an earlier run.
-  void take(const Columns& columns, const Row& row);
+/// By how much, at most, the coupling that spheres are computed without may change a row, also of an earlier run.
+struct Neglected {
+  double tangential = 0.0, normal = 0.0;
+  bool unknown = false;
 
-  /// Warns below a table, which has no column for it, if it may change a tangential restitution by more than was asked
-  /// for, or by an unknown amount.
-  void say(const OutputOptions& output, double tolerance) const;
+  void take(const Columns& columns, const Row& row) {
+    const auto change = [&](const char* name) { return std::abs(number(*find(columns, row, name))); };
+    unknown = unknown || std::isnan(change("coupling_tangential_restitution"));
+    tangential = std::fmax(tangential, change("coupling_tangential_restitution"));
+    normal = std::fmax(normal, change("coupling_restitution"));
+  }
 
- private:
-  double tangential_ = 0.0, normal_ = 0.0;  // largest changes
-  bool unknown_ = false;
+  /// Below a table, which has no column for it, if it is unknown or more than was asked for.
+  void warn(const OutputOptions& output, double tolerance) const {
+    if (output.chosen_format() != Format::table || (!unknown && tangential <= tolerance)) return;
+    output.warn(unknown ? "how much neglected coupling may change tangential_restitution is unknown (friction so high "
+                          "is ill-posed)"
+                        : fmt::format("neglected coupling may change tangential_restitution by up to {:.2g}, "
+                                      "restitution by up to {:.2g}",
+                                      tangential, normal));
+  }
 };
 
-void NeglectedNote::take(const Columns& columns, const Row& row) {
-  const double tangential = number(*find(columns, row, "coupling_tangential_restitution"));
-  const double normal = number(*find(columns, row, "coupling_restitution"));
-  unknown_ = unknown_ || std::isnan(tangential);
-  tangential_ = std::fmax(tangential_, std::abs(tangential));
-  normal_ = std::fmax(normal_, std::abs(normal));
-}
-
-void NeglectedNote::say(const OutputOptions& output, double tolerance) const {
-  if (output.chosen_format() != Format::table) return;
-  if (unknown_) {
-    output.warn(
-        "how much neglected coupling may change tangential_restitution is unknown (friction so high is ill-posed)");
-  } else if (tangential_ > tolerance) {
-    output.warn(
-        fmt::format("neglected coupling may change tangential_restitution by up to {:.2g}, restitution by up to {:.2g}",
-                    tangential_, normal_));
-  }
-}
-
-RowPlan plan_of(const Collisions& collisions, const Columns& results, NeglectedNote& note) {
+RowPlan plan_of(const Collisions& collisions, const Columns& results, Neglected& note) {
   Columns columns = collisions.key_columns();
   append(columns, results, yielding(collisions.encounter).columns());
   const auto name = [&collisions](std::size_t row) {
@@ -185,7 +170,7 @@ void run(const ObliqueArguments& asked) {
   validate(contact, collisions.cases, options);
   const Fields<ObliqueRestitution> fields = oblique_fields(collisions.units, collisions.spinning);
   const Yielding yields = yielding(collisions.encounter);
-  NeglectedNote note;
+  Neglected note;
   RowRun run(plan_of(collisions, fields.columns(), note), arguments.rows);
   run.write(provenance(*arguments.command, collisions.encounter), [&] {
     const std::vector<ObliqueCase> cases(collisions.cases.begin() + static_cast<std::ptrdiff_t>(run.done()),
@@ -201,7 +186,7 @@ void run(const ObliqueArguments& asked) {
       run.add(row, oblique_details(result), result.converged ? "" : result.reason);
     });
   });
-  note.say(arguments.rows.output, arguments.tolerance);
+  note.warn(arguments.rows.output, arguments.tolerance);
   run.conclude();
 }
 

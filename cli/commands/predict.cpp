@@ -9,7 +9,6 @@
 #include "input/encounter.hpp"
 #include "input/inputs.hpp"
 #include "output/output_options.hpp"
-#include "output/progress.hpp"
 #include "process/process.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/encounter/visible.hpp"

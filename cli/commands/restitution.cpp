@@ -32,10 +32,19 @@ struct Job {
   [[nodiscard]] double speed(std::size_t row) const { return speeds[row % speeds.size()]; }
 
   /// What meets at one of the Poisson's ratios, at any cutoff.
-  [[nodiscard]] RefinableContact contact(double poisson) const;
+  [[nodiscard]] RefinableContact contact(double poisson) const {
+    Encounter its = encounter;
+    if (!units.si && has_poisson(its.first)) its.first.values["poisson"] = poisson;
+    return refinable(its);
+  }
 
   /// What tells a row from the others, with which it begins; with a material the speed in SI besides.
-  [[nodiscard]] Row key(std::size_t row) const;
+  [[nodiscard]] Row key(std::size_t row) const {
+    Row key;
+    if (has_poisson(encounter.first)) key.emplace_back(poisson(row));
+    append(key, speed_row(units, speed(row)));
+    return key;
+  }
 
   /// A row: its key, the fields of its result, and what is said of yielding.
   template <typename Result>
@@ -48,19 +57,6 @@ struct Job {
   /// All its rows, with the columns of the results; the job must outlive them.
   [[nodiscard]] RowPlan plan(const Columns& results) const;
 };
-
-RefinableContact Job::contact(double poisson) const {
-  Encounter its = encounter;
-  if (!units.si && has_poisson(its.first)) its.first.values["poisson"] = poisson;
-  return refinable(its);
-}
-
-Row Job::key(std::size_t row) const {
-  Row key;
-  if (has_poisson(encounter.first)) key.emplace_back(poisson(row));
-  append(key, speed_row(units, speed(row)));
-  return key;
-}
 
 RowPlan Job::plan(const Columns& results) const {
   Columns columns;

@@ -8,9 +8,8 @@
 
 #include "app.hpp"
 #include "commands/table.hpp"
-#include "output/progress.hpp"
+#include "output/output_options.hpp"
 #include "process/process.hpp"
-#include "process/text.hpp"
 #include "stoss/encounter/laws.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/prediction/prediction.hpp"
@@ -92,7 +91,7 @@ std::string text_of_function(const TableArguments& arguments, TableJob& job) {
 }
 
 std::string text_of_pairs(const TableArguments& arguments, const TableJob& job) {
-  const auto [smallest, largest] = ends_of(input(Question::table, "ratio"), arguments.ratio, {}).own;
+  const auto [smallest, largest] = ratios_of(arguments);
   const PairTable table = pair_table(mixture(job.encounter), job.speeds[0], job.speeds[1], smallest, largest,
                                      {.error = arguments.error,
                                       .beyond = beyond(arguments),
@@ -177,10 +176,17 @@ TableLabel label(const TableArguments& arguments, const TableJob& job) {
           .provenance = std::move(lines)};
 }
 
-nlohmann::ordered_json json_head(const TableArguments& arguments, const TableJob& job, const std::string& between) {
+std::pair<double, double> ratios_of(const TableArguments& arguments) {
+  return ends_of(input(Question::table, "ratio"), arguments.ratio, {}).own;
+}
+
+nlohmann::ordered_json json_head(const TableArguments& arguments, const TableJob& job, const std::string& between,
+                                 double error) {
   auto document = json_document(describe(arguments, job));
   document["units"]["speed"] = job.unit_name;
   document["interpolation"] = "cubic Hermite in " + between;
+  document["greatest_error"] = error;
+  if (job.by_models) document["by_models"] = *job.by_models;
   return document;
 }
 

@@ -50,8 +50,12 @@ struct TableJob {
 [[nodiscard]] TableLabel label(const TableArguments& arguments, const TableJob& job);
 
 /// What all kinds of table have besides their records. @param between how values between the knots are to be had
+/// @param error the greatest of ε
 [[nodiscard]] nlohmann::ordered_json json_head(const TableArguments& arguments, const TableJob& job,
-                                               const std::string& between);
+                                               const std::string& between, double error);
+
+/// The ends of --ratio.
+[[nodiscard]] std::pair<double, double> ratios_of(const TableArguments& arguments);
 
 /// The whole documents.
 [[nodiscard]] std::string as_json(const TableArguments& arguments, const TableJob& job,

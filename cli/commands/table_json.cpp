@@ -6,21 +6,8 @@
 #include "commands/table.hpp"
 
 namespace stoss::cli {
-namespace {
-
-template <typename Function>
-nlohmann::ordered_json json_of(const TableArguments& arguments, const TableJob& job, const Function& function,
-                               const std::string& between) {
-  auto document = json_head(arguments, job, between);
-  document["greatest_error"] = function.greatest_error();
-  if (job.by_models) document["by_models"] = *job.by_models;
-  return document;
-}
-
-}  // namespace
-
 std::string as_json(const TableArguments& arguments, const TableJob& job, const RestitutionFunction& function) {
-  auto document = json_of(arguments, job, function, "ln(speed)");
+  auto document = json_head(arguments, job, "ln(speed)", function.greatest_error());
   const auto& knots = function.knots();
   const std::size_t last = knots.size() - 1;
   for (std::size_t k = 0; k <= last; ++k) {
@@ -37,7 +24,7 @@ std::string as_json(const TableArguments& arguments, const TableJob& job, const 
 }
 
 std::string as_json(const TableArguments& arguments, const TableJob& job, const PairTable& table) {
-  auto document = json_of(arguments, job, table, "ln(speed) and in s = (ratio - 1)/(ratio + 1)");
+  auto document = json_head(arguments, job, "ln(speed) and in s = (ratio - 1)/(ratio + 1)", table.greatest_error());
   const PairValues& values = table.values();
   document["inverse_is_same"] = values.alike;
   document["ratio"] = values.ratios;

@@ -6,9 +6,8 @@
 #include "app.hpp"
 #include "commands/table.hpp"
 #include "output/output.hpp"
-#include "output/progress.hpp"
+#include "output/output_options.hpp"
 #include "process/process.hpp"
-#include "process/text.hpp"
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/laws.hpp"
 #include "stoss/errors.hpp"
@@ -31,10 +30,10 @@ nlohmann::ordered_json grid_of(const std::string& quantity, const RuleGrid& grid
 }
 
 std::string as_json(const TableArguments& arguments, const TableJob& job, const RuleTable& rule) {
-  auto document = json_head(arguments, job,
-                            "ln(speed), in slip = (|s| - mu speed)/(|s| + mu speed) and in (ratio - 1)/(ratio + 1)");
+  auto document =
+      json_head(arguments, job, "ln(speed), in slip = (|s| - mu speed)/(|s| + mu speed) and in (ratio - 1)/(ratio + 1)",
+                rule.greatest_restitution_error());
   const RuleValues& values = rule.values();
-  document["greatest_error"] = rule.greatest_restitution_error();
   document["greatest_sliding_error"] = rule.greatest_sliding_error();
   document["inverse_is_same"] = values.alike;
   if (values.friction) document["friction"] = *values.friction;
@@ -53,7 +52,7 @@ RuleTable rule_of(const TableArguments& arguments, const TableJob& job) {
                                  .threads = arguments.threads,
                                  .poll = waiting(arguments.output, "table of the collision rule")};
   if (arguments.ratio.empty()) return rule_table(refinable(job.encounter), job.speeds[0], job.speeds[1], options);
-  const auto [smallest, largest] = ends_of(input(Question::table, "ratio"), arguments.ratio, {}).own;
+  const auto [smallest, largest] = ratios_of(arguments);
   return rule_table(mixture(job.encounter), job.speeds[0], job.speeds[1], smallest, largest, options);
 }
 
@@ -94,7 +93,7 @@ void write_netcdf_of_rule(const TableArguments& arguments, const TableJob& job) 
                                  fmt::format("{}", job.typed[1])};
   if (arguments.friction) words.push_back(fmt::format("--friction={}", *arguments.friction));
   if (!arguments.ratio.empty()) {
-    const auto [smallest, largest] = ends_of(input(Question::table, "ratio"), arguments.ratio, {}).own;
+    const auto [smallest, largest] = ratios_of(arguments);
     words.insert(words.end(), {"--ratio", fmt::format("{}", smallest), fmt::format("{}", largest)});
   }
   words.insert(words.end(), {"--", to_json(job.encounter)});

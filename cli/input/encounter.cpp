@@ -8,7 +8,7 @@
 
 #include "app.hpp"
 #include "input/inputs.hpp"
-#include "process/text.hpp"
+#include "process/process.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"
 
@@ -118,10 +118,31 @@ Encounter EncounterOptions::encounter() const {
   return encounter;
 }
 
-void refuse_tail(const CLI::App& command, const Encounter& encounter) {
-  if (!is_soft(encounter) || !given(command, "--tail")) return;
-  throw InvalidInput::out_of_range("tail", "a tail with --against exponential", "only without",
-                                   "the soft wall leaves it out");
+void KeptOptions::add_to(CLI::App& command, Question question) {
+  add_choice(command, "--tail", word, {"radiating", "static"},
+             "Model of the modes above the cutoff: radiating absorbs energy, static does not (default: radiating)",
+             "TAIL", "Resolution");
+  add_input(command, question, "cutoff", cutoff, "Resolution");
+}
+
+Tail KeptOptions::tail(const CLI::App& command, const Encounter& encounter) const {
+  if (is_soft(encounter) && given(command, "--tail")) {
+    throw InvalidInput::out_of_range("tail", "a tail with --against exponential", "only without",
+                                     "the soft wall leaves it out");
+  }
+  return word == "static" ? Tail::quasistatic : Tail::radiating;
+}
+
+void KeptOptions::choose(const CLI::App& command, const Encounter& encounter, double slowest, double most,
+                         const Poll& poll) {
+  if (!given(command, "--cutoff")) cutoff = usual_cutoff(encounter, slowest, most, poll);
+}
+
+Provenance KeptOptions::provenance(const CLI::App& command, const Encounter& encounter) const {
+  Provenance its = cli::provenance(command, encounter);
+  its.inputs["cutoff"] = cutoff;
+  if (!is_soft(encounter)) its.inputs["tail"] = word;
+  return its;
 }
 
 void refuse_soft(const Encounter& encounter, const std::string& hint) {

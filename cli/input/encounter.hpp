@@ -9,6 +9,8 @@
 
 #include "output/fields.hpp"
 #include "stoss/encounter/encounter.hpp"
+#include "stoss/encounter/inputs.hpp"
+#include "stoss/impact/impact.hpp"
 #include "stoss/vibration/ensemble.hpp"
 
 namespace stoss::cli {
@@ -83,8 +85,22 @@ struct EncounterOptions {
 /// That of the first body as the core computes with it; nothing where it has none.
 [[nodiscard]] std::optional<double> poisson_of(const Encounter& encounter);
 
-/// @throws InvalidInput for --tail of an exponential wall
-void refuse_tail(const CLI::App& command, const Encounter& encounter);
+/// Which modes of the bodies a single impact keeps, and what the others do: --cutoff and --tail.
+struct KeptOptions {
+  std::string word = "radiating";
+  double cutoff = 0.0;
+
+  void add_to(CLI::App& command, Question question);
+
+  /// @throws InvalidInput for a tail of an exponential wall
+  [[nodiscard]] Tail tail(const CLI::App& command, const Encounter& encounter) const;
+
+  /// Chooses a cutoff where none is given. @param slowest impact, c @param most cutoff, c/R
+  void choose(const CLI::App& command, const Encounter& encounter, double slowest, double most, const Poll& poll);
+
+  /// With both as they were chosen.
+  [[nodiscard]] Provenance provenance(const CLI::App& command, const Encounter& encounter) const;
+};
 
 /// @throws InvalidInput for an exponential wall, of which only single impacts are computed. @param hint who takes it
 void refuse_soft(const Encounter& encounter, const std::string& hint = {});

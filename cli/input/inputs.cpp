@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "process/text.hpp"
+#include "process/process.hpp"
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/modal_file.hpp"
 #include "stoss/encounter/series.hpp"

@@ -8,7 +8,7 @@
 
 #include "input/encounter.hpp"
 #include "output/output.hpp"
-#include "process/text.hpp"
+#include "process/process.hpp"
 #include "stoss/encounter/modal_file.hpp"
 #include "stoss/errors.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "app.hpp"
 #include "input/inputs.hpp"
-#include "process/text.hpp"
+#include "process/process.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "output/row_run.hpp"
-#include "process/text.hpp"
+#include "process/process.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::cli {

@@ -1,9 +1,9 @@
-#include "output/help.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "process/text.hpp"
+#include "app.hpp"
+#include "process/process.hpp"
 
 namespace stoss::cli {
 namespace {
@@ -51,8 +51,8 @@ std::string with_short_lines(const std::string& text, std::size_t width) {
   return all;
 }
 
-}  // namespace
-
+/// A text in lines of at most `width` characters, without a line end behind it. Its own line ends count only before
+/// lines that begin with a space, which are items: what of an item does not fit hangs two spaces further in.
 std::string wrapped(std::string_view text, std::size_t width) {
   std::vector<std::string> items;
   for (std::string& line : split(std::string(text), '\n')) {
@@ -70,6 +70,25 @@ std::string wrapped(std::string_view text, std::size_t width) {
   }
   return all;
 }
+
+/// The help of the command and its subcommands, wrapped to the terminal: names left, what they mean right of them.
+class Help : public CLI::Formatter {
+ public:
+  /// @param width of the terminal, in characters
+  explicit Help(std::size_t width);
+
+  [[nodiscard]] std::string make_group(std::string group, bool positional,
+                                       std::vector<const CLI::Option*> options) const override;
+  [[nodiscard]] std::string make_option(const CLI::Option* option, bool positional) const override;
+  [[nodiscard]] std::string make_subcommand(const CLI::App* command) const override;
+  [[nodiscard]] std::string make_description(const CLI::App* app) const override;
+  [[nodiscard]] std::string make_footer(const CLI::App* app) const override;
+
+ private:
+  [[nodiscard]] std::string entry(const std::string& name, const std::string& meaning) const;
+
+  std::size_t width_;
+};
 
 Help::Help(std::size_t width) : width_(std::max(width, narrowest)) { column_width(names_width); }
 
@@ -100,5 +119,9 @@ std::string Help::make_subcommand(const CLI::App* command) const {
 std::string Help::make_description(const CLI::App* app) const { return wrapped(app->get_description(), width_) + "\n"; }
 
 std::string Help::make_footer(const CLI::App* app) const { return with_short_lines(app->get_footer(), width_) + "\n"; }
+
+}  // namespace
+
+std::shared_ptr<CLI::FormatterBase> help_formatter(std::size_t width) { return std::make_shared<Help>(width); }
 
 }  // namespace stoss::cli

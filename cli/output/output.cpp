@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "process/process.hpp"
-#include "process/text.hpp"
 
 namespace stoss::cli {
 namespace {

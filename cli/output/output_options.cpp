@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app.hpp"
-#include "process/text.hpp"
+#include "process/process.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/impact.hpp"
 

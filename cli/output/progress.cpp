@@ -1,11 +1,10 @@
-#include "output/progress.hpp"
+#include "output/output_options.hpp"
 
 #include <fmt/format.h>
 
 #include <memory>
 
 #include "process/process.hpp"
-#include "process/system.hpp"
 
 namespace stoss::cli {
 

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "output/output_options.hpp"
-#include "output/progress.hpp"
 #include "output/writer.hpp"
 #include "stoss/encounter/encounter.hpp"
 

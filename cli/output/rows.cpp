@@ -11,7 +11,7 @@
 #include <iterator>
 #include <limits>
 
-#include "process/text.hpp"
+#include "process/process.hpp"
 #include "stoss/version.hpp"
 
 namespace stoss::cli {

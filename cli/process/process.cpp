@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "process/system.hpp"
 #include "stoss/version.hpp"
 
 namespace stoss::cli {

@@ -1,8 +1,6 @@
-#include "process/text.hpp"
+#include "process/process.hpp"
 
 #include <fmt/format.h>
-
-#include "process/system.hpp"
 
 namespace stoss::cli {
 namespace {

@@ -81,8 +81,6 @@ def test_completion(stoss):
     def complete(line):
         words = line.split(" ")
         script = f"""{completion}
-
-
 COMP_WORDS=({" ".join(f"'{word}'" for word in words)}); COMP_CWORD={len(words) - 1}; _stoss
 printf '%s\\n' "${{COMPREPLY[@]}}\""""
         result = subprocess.run(["bash", "-c", script], capture_output=True, text=True, timeout=60)

@@ -162,8 +162,6 @@ def test_files_of_bodies_that_are_none(stoss, tmp_path):
 
 USAGE = f"""
  | subcommand
-
-
 rebound | unknown argument: rebound
 modes | --poisson is required
 modes {DISK} --colour red | unknown argument: --colour

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "output/posix/beside.hpp"
-#include "process/text.hpp"
+#include "process/process.hpp"
 
 namespace stoss::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "process/system.hpp"
+#include "process/process.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,7 +14,6 @@
 #include <system_error>
 
 #include "output/output.hpp"
-#include "process/process.hpp"
 
 namespace stoss::cli {
 namespace {

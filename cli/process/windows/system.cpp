@@ -1,4 +1,4 @@
-#include "process/system.hpp"
+#include "process/process.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -10,7 +10,6 @@
 #include <cstdio>
 
 #include "output/output.hpp"
-#include "process/process.hpp"
 
 namespace stoss::cli {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "app.hpp"
 #include "output/fields.hpp"
-#include "process/text.hpp"
+#include "process/process.hpp"
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/inputs.hpp"
 
