@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 from conftest import rows
 
+pytestmark = pytest.mark.numbers  # under sanitizers parts/test_answers.cpp asks the same
+
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "docs/versions.md").read_text(encoding="utf-8").partition("## Formats")[2]
 FORMATS = {row.split("|")[1].strip(): row.split("|")[2].strip(" `") for row in re.findall(r"^\| .*$", PAGE, re.M)[1:]}
