@@ -31,27 +31,6 @@ using Means = py::array_t<MeanEnergy, py::array::c_style>;
 
 Spectrum to_spectrum(const Means& array) { return {array.data(), array.data() + array.size()}; }
 
-/// What the command and the package ask of an ensemble.
-struct Asked {
-  long samples;
-  std::uint64_t seed;
-  double error;
-  int threads;
-  long first = 0;
-
-  [[nodiscard]] DistributionOptions options() const {
-    return {
-        .first = first, .samples = samples, .seed = seed, .error = error, .threads = threads, .poll = signal_poll()};
-  }
-};
-
-void distribution(const RefinableContact& contact, double speed, const Spectrum& spectrum, const Asked& asked,
-                  py::array& rows, py::list reasons, const std::optional<py::function>& tick) {
-  const DistributionOptions options = asked.options();
-  fill(sample_quantities(), rows, reasons, tick,
-       [&](const auto& put) { restitution_distribution(contact, speed, spectrum, options, put); });
-}
-
 py::dict summarize(const Doubles& restitution, const Doubles& error) {
   std::vector<Sample> samples(static_cast<std::size_t>(restitution.size()));
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -119,16 +98,24 @@ void bind_distribution(py::module_& module) {
       [](const RefinableContact& contact, double speed, const Means& spectrum, long samples, std::uint64_t seed,
          double error, int threads) {
         const Spectrum means = to_spectrum(spectrum);
-        const DistributionOptions options = Asked{samples, seed, error, threads}.options();
+        const DistributionOptions options{
+            .samples = samples, .seed = seed, .error = error, .threads = threads, .poll = signal_poll()};
         const Released released;
         validate(contact, speed, means, options);
       });
   def(module, "restitution_distribution",
       {"contact", "speed", "spectrum", "seed", "error", "threads", "rows", "reasons", "tick", "first"},
       [](const RefinableContact& contact, double speed, const Means& spectrum, std::uint64_t seed, double error,
-         int threads, py::array& rows, const py::list& reasons, const std::optional<py::function>& tick, long first) {
-        const Asked asked{static_cast<long>(rows.size()), seed, error, threads, first};
-        distribution(contact, speed, to_spectrum(spectrum), asked, rows, reasons, tick);
+         int threads, py::array& rows, py::list reasons, const std::optional<py::function>& tick, long first) {
+        const Spectrum means = to_spectrum(spectrum);
+        const DistributionOptions options{.first = first,
+                                          .samples = static_cast<long>(rows.size()),
+                                          .seed = seed,
+                                          .error = error,
+                                          .threads = threads,
+                                          .poll = signal_poll()};
+        fill(sample_quantities(), rows, reasons, tick,
+             [&](const auto& put) { restitution_distribution(contact, speed, means, options, put); });
       });
   def(module, "summary", {"restitution", "error"}, &summarize);
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-from typing import Any, ClassVar, Mapping
+from typing import Any, Callable, ClassVar, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -37,14 +37,19 @@ def poissons_of(body: Any, poisson: Any) -> NDArray[np.float64]:
     return np.array(found.poisson)
 
 
+def over(function: Callable[..., NDArray[Any]], *fixed: Any, **given: Any) -> Any:
+    """What a function of the core has over arrays that broadcast: a number, an array, or a list of structured fields."""
+    arrays = broadcast(3, **{name: numbers(name, value) for name, value in given.items()})
+    found, shape = function(*fixed, *(each.ravel() for each in arrays)), arrays[0].shape
+    names = found.dtype.names
+    return arranged(found, shape) if names is None else [arranged(found[name], shape) for name in names]
+
+
 def by_law(name: str, body: Any, poisson: Any, law: Any, **given: Any) -> Number:
     """What the core's function of that name has of a law, a Poisson's ratio and what else is given, over arrays."""
     nu = poissons_of(body, poisson)
-    chosen = choose_law(body, law)
-    arrays = broadcast(poisson=nu, **{name: numbers(name, value) for name, value in given.items()})
     function = getattr(_core, f"point_{name}" if isinstance(body, Sphere) else name)
-    values = function(chosen, *(each.ravel() for each in arrays))
-    return arranged(values, arrays[0].shape)  # type: ignore[no-any-return]
+    return over(function, choose_law(body, law), poisson=nu, **given)  # type: ignore[no-any-return]
 
 
 @_of_a_law
@@ -109,8 +114,7 @@ def contact_radius(body: Sphere, *, force: ArrayLike) -> Number:
         0.141927
     """
     ball: Sphere = instance("body", body, (Sphere,))
-    nu, forces = broadcast(poisson=numbers("poisson", ball.poisson), force=numbers("force", force))
-    return arranged(_core.contact_radius("hertz", nu.ravel(), forces.ravel()), nu.shape)  # type: ignore[no-any-return]
+    return over(_core.contact_radius, "hertz", poisson=ball.poisson, force=force)  # type: ignore[no-any-return]
 
 
 @_of_a_law

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple, overload
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from stoss import _core
-from stoss._arguments import arranged, broadcast, instance, numbers
+from stoss._arguments import instance
 from stoss.bodies._bodies import Disk, Sphere
+from stoss.quasistatic._compression import over
 from stoss.results._quantities import Number
 
 
@@ -51,21 +51,11 @@ class GreatestShear(NamedTuple):
     shear: Number
 
 
-def _arrays(**given: Any) -> tuple[list[NDArray[np.float64]], tuple[int, ...]]:
-    arrays = broadcast(3, **{name: numbers(name, value) for name, value in given.items()})
-    return [each.ravel() for each in arrays], arrays[0].shape
-
-
 def _sphere(body: Any) -> Sphere | None:
     """The sphere, if it is one."""
     if body is not None:
         instance("body", body, (Disk, Sphere))
     return body if isinstance(body, Sphere) else None
-
-
-def _shaped(table: NDArray[Any], shape: tuple[int, ...]) -> list[Any]:
-    """The fields of a structured array, in its order."""
-    return [arranged(table[name], shape) for name in table.dtype.names or ()]
 
 
 def hertz_pressure(body: Disk | Sphere | None = None, *, force: ArrayLike, y: ArrayLike) -> Number:
@@ -88,10 +78,9 @@ def hertz_pressure(body: Disk | Sphere | None = None, *, force: ArrayLike, y: Ar
         array([0.046086, 0.019027, 0.      ])
     """
     sphere = _sphere(body)
-    arrays, shape = _arrays(force=force, y=y)
     if sphere is not None:
-        return arranged(_core.point_hertz_pressure(sphere.poisson, *arrays), shape)  # type: ignore[no-any-return]
-    return arranged(_core.hertz_pressure(*arrays), shape)  # type: ignore[no-any-return]
+        return over(_core.point_hertz_pressure, sphere.poisson, force=force, y=y)  # type: ignore[no-any-return]
+    return over(_core.hertz_pressure, force=force, y=y)  # type: ignore[no-any-return]
 
 
 @overload
@@ -126,10 +115,9 @@ def hertz_stress(
         array([-0.0461, -0.0139])
     """
     sphere = _sphere(body)
-    arrays, shape = _arrays(force=force, depth=depth, y=y)
     if sphere is not None:
-        return AxisymmetricStress(*_shaped(_core.point_hertz_stress(sphere.poisson, *arrays), shape))
-    return PlaneStress(*_shaped(_core.hertz_stress(*arrays), shape))
+        return AxisymmetricStress(*over(_core.point_hertz_stress, sphere.poisson, force=force, depth=depth, y=y))
+    return PlaneStress(*over(_core.hertz_stress, force=force, depth=depth, y=y))
 
 
 def greatest_shear(body: Sphere, *, force: ArrayLike) -> GreatestShear:
@@ -148,5 +136,4 @@ def greatest_shear(body: Sphere, *, force: ArrayLike) -> GreatestShear:
         0.31
     """
     ball: Sphere = instance("body", body, (Sphere,))
-    (forces,), shape = _arrays(force=force)
-    return GreatestShear(*_shaped(_core.greatest_shear(ball.poisson, forces), shape))
+    return GreatestShear(*over(_core.greatest_shear, ball.poisson, force=force))

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, NamedTuple
+import functools
+from typing import NamedTuple
 
 from numpy.typing import ArrayLike
 
 from stoss import _core
-from stoss._arguments import arranged, number
-from stoss.quasistatic._hertz import _arrays, _shaped
+from stoss._arguments import number
+from stoss.quasistatic._compression import over
 from stoss.results._quantities import Number
-
-
-def _of(function: Callable[..., Any], **given: ArrayLike) -> Number:
-    arrays, shape = _arrays(**given)
-    return arranged(function(*arrays), shape)  # type: ignore[no-any-return]
 
 
 class MawImpact(NamedTuple):
@@ -61,8 +57,7 @@ def maw(*, psi1: ArrayLike, chi: ArrayLike, tolerance: float = 1e-4) -> MawImpac
         >>> stoss.quasistatic.maw(psi1=[0.5, 2.0, 6.0], chi=chi).psi2.round(3)
         array([ 0.048, -0.837,  0.235])
     """
-    (before, stiffness), shape = _arrays(psi1=psi1, chi=chi)
-    return MawImpact(*_shaped(_core.maw(before, stiffness, number("tolerance", tolerance)), shape))
+    return MawImpact(*over(functools.partial(_core.maw, tolerance=number("tolerance", tolerance)), psi1=psi1, chi=chi))
 
 
 def mindlin_ratio(*, poisson: ArrayLike) -> Number:
@@ -78,7 +73,7 @@ def mindlin_ratio(*, poisson: ArrayLike) -> Number:
         >>> round(stoss.quasistatic.mindlin_ratio(poisson=0.3), 6)
         0.823529
     """
-    return _of(_core.mindlin_ratio, poisson=poisson)
+    return over(_core.mindlin_ratio, poisson=poisson)  # type: ignore[no-any-return]
 
 
 def mindlin_force(*, displacement: ArrayLike) -> Number:
@@ -94,7 +89,7 @@ def mindlin_force(*, displacement: ArrayLike) -> Number:
         >>> stoss.quasistatic.mindlin_force(displacement=[0.19, 1.0, -2.0])
         array([ 0.271,  1.   , -1.   ])
     """
-    return _of(_core.mindlin_force, displacement=displacement)
+    return over(_core.mindlin_force, displacement=displacement)  # type: ignore[no-any-return]
 
 
 def mindlin_displacement(*, tangential: ArrayLike) -> Number:
@@ -107,7 +102,7 @@ def mindlin_displacement(*, tangential: ArrayLike) -> Number:
         >>> round(stoss.quasistatic.mindlin_displacement(tangential=0.271), 6)
         0.19
     """
-    return _of(_core.mindlin_displacement, tangential=tangential)
+    return over(_core.mindlin_displacement, tangential=tangential)  # type: ignore[no-any-return]
 
 
 def mindlin_stick_radius(*, tangential: ArrayLike) -> Number:
@@ -120,7 +115,7 @@ def mindlin_stick_radius(*, tangential: ArrayLike) -> Number:
         >>> round(stoss.quasistatic.mindlin_stick_radius(tangential=0.271), 6)
         0.9
     """
-    return _of(_core.mindlin_stick_radius, tangential=tangential)
+    return over(_core.mindlin_stick_radius, tangential=tangential)  # type: ignore[no-any-return]
 
 
 def mindlin_traction(*, tangential: ArrayLike, distance: ArrayLike) -> Number:
@@ -134,4 +129,4 @@ def mindlin_traction(*, tangential: ArrayLike, distance: ArrayLike) -> Number:
         >>> stoss.quasistatic.mindlin_traction(tangential=0.271, distance=[0.0, 0.95, 1.0]).round(6)
         array([0.1    , 0.31225, 0.     ])
     """
-    return _of(_core.mindlin_traction, tangential=tangential, distance=distance)
+    return over(_core.mindlin_traction, tangential=tangential, distance=distance)  # type: ignore[no-any-return]

@@ -105,7 +105,7 @@ def test_the_map_of_stick_and_slip(hit, plate, of):
 
 
 def test_shades_differ_without_colour():
-    from stoss.plot._oblique_impact import BACKWARD, FORWARD, OPEN, STICK
+    from stoss.plot._trajectory import BACKWARD, FORWARD, OPEN, STICK
 
     shades = sorted(float(np.dot(to_rgb(color), (0.299, 0.587, 0.114))) for color in (BACKWARD, FORWARD, OPEN, STICK))
     assert np.diff(shades).min() > 0.2
