@@ -3,14 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <thread>
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
-#include "stoss/restitution/curve.hpp"
 
 namespace stoss {
 namespace {
@@ -56,17 +54,6 @@ TEST(SetUps, TheOldestGoFirst) {
     static_cast<void>(contact.set_ups->of(contact, grid, ResidualMotion::Inertia::none, 0.02 / (1 + other), {}));
   }
   EXPECT_EQ(oldest.use_count(), 1);  // ours: 16 MB hold four of 256 nodes
-}
-
-TEST(SetUps, CurvesDoNotDependOnTheirSpeedsOrThreads) {
-  const std::vector<double> speeds{0.02, 0.0201, 0.021, 0.1, 0.0999, 0.02};
-  const RefinableContact shared(sphere(0.3));
-  const std::vector<Restitution> both = restitution_curve(shared, speeds, {.each = {}, .threads = 2});
-  for (std::size_t i = 0; i < speeds.size(); ++i) {
-    const Restitution alone = restitution(RefinableContact(sphere(0.3)), speeds[i], {});
-    EXPECT_EQ(both[i].restitution.value, alone.restitution.value);
-    EXPECT_EQ(both[i].restitution.error, alone.restitution.error);
-  }
 }
 
 }  // namespace

@@ -36,6 +36,22 @@ struct Seen {
   Solid solid;
 };
 
+/// So few contact points that each is a ring.
+BodyFrame on_few_rings(BodyFrame seen) {
+  seen.points.spacing *= static_cast<double>(seen.points.count) / 6.0;
+  seen.points.count = 6;
+  seen.node_force = {0.5, 1.5, 2.0, 1.0, 0.25, 0.0};
+  return seen;
+}
+
+void expect_same(const Interior& ours, const bodies::half_space::Field& theirs) {
+  ASSERT_EQ(ours.radial.size(), 12U);
+  for (std::size_t k = 0; k < 12; ++k) {
+    EXPECT_NEAR(ours.radial[k], theirs.normal[k], 1e-12);
+    EXPECT_NEAR(ours.tangential[k], theirs.lateral[k], 1e-12);
+  }
+}
+
 TEST(Inside, OfADiskIsItsField) {
   const Seen seen({.first = {.values = {{"poisson", 0.3}}}}, 0);
   const Interior ours = inside(seen.solid, seen.before, around, {})(seen.now);
@@ -62,20 +78,12 @@ TEST(Inside, OfARodIsTheSameAcrossIt) {
 TEST(Inside, OfAHalfSpaceIsTheFieldOfItsRings) {
   const Encounter drop{.first = {.kind = "sphere", .values = {{"poisson", 0.3}}},
                        .against = {.kind = "half-space", .values = {{"poisson", 0.2}}}};
-  Seen seen(drop, 1);
-  // So few contact points that each is a ring.
-  BodyFrame few = seen.now;
-  few.points.spacing *= static_cast<double>(few.points.count) / 6.0;
-  few.points.count = 6;
-  few.node_force = {0.5, 1.5, 2.0, 1.0, 0.25, 0.0};
+  const Seen seen(drop, 1);
+  const BodyFrame few = on_few_rings(seen.now);
   const Interior ours = inside(seen.solid, few, around, under)(few);
   const bodies::half_space::HalfSpaceField field(0.2, *few.body, few.points, under);
   const bodies::half_space::Field theirs = field.at(few.coordinate, few.node_force);
-  ASSERT_EQ(ours.radial.size(), 12U);
-  for (std::size_t k = 0; k < 12; ++k) {
-    EXPECT_NEAR(ours.radial[k], theirs.normal[k], 1e-12);
-    EXPECT_NEAR(ours.tangential[k], theirs.lateral[k], 1e-12);
-  }
+  expect_same(ours, theirs);
   EXPECT_GT(*std::max_element(ours.von_mises.begin(), ours.von_mises.end()), 0.0);
   const Interior still = inside(seen.solid, seen.before, around, under)(seen.before);
   for (const double each : still.radial) EXPECT_EQ(each, 0.0);
@@ -84,20 +92,12 @@ TEST(Inside, OfAHalfSpaceIsTheFieldOfItsRings) {
 TEST(Inside, OfAPlateIsItsFieldDownToTheLowerFace) {
   const Encounter drop{.first = {.kind = "sphere", .values = {{"poisson", 0.3}}},
                        .against = {.kind = "plate", .values = {{"poisson", 0.2}, {"thickness", 1.0}}}};
-  Seen seen(drop, 1);
-  // So few contact points that each is a ring.
-  BodyFrame few = seen.now;
-  few.points.spacing *= static_cast<double>(few.points.count) / 6.0;
-  few.points.count = 6;
-  few.node_force = {0.5, 1.5, 2.0, 1.0, 0.25, 0.0};
+  const Seen seen(drop, 1);
+  const BodyFrame few = on_few_rings(seen.now);
   const Interior ours = inside(seen.solid, few, around, under)(few);
   const bodies::plate::PlateField field(std::get<Plate>(seen.solid), *few.body, few.points, under);
   const bodies::half_space::Field theirs = field.at(few.coordinate, few.node_force);
-  ASSERT_EQ(ours.radial.size(), 12U);
-  for (std::size_t k = 0; k < 12; ++k) {
-    EXPECT_NEAR(ours.radial[k], theirs.normal[k], 1e-12);
-    EXPECT_NEAR(ours.tangential[k], theirs.lateral[k], 1e-12);
-  }
+  expect_same(ours, theirs);
   // The lower face gives way too.
   EXPECT_GT(ours.radial[9], 0.1 * ours.radial[0]);
   const auto rounded_up = bodies::half_space::PlaneGrid{under.distance, {0.0, 0.5, 1.0 + 1e-7}};

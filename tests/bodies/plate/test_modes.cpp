@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstddef>
-#include <numbers>
 
 #include "bodies/plate/branches.hpp"
 #include "support/plate_materials.hpp"
@@ -17,7 +15,6 @@ namespace plate_modes {
 namespace {
 
 using namespace bodies::plate;
-using test::ClosedForm;
 using test::Exact;
 using test::Kind;
 
@@ -100,41 +97,6 @@ TEST_P(AtAnyWaveNumber, OthersAddWhatClosedFormsLeave) {
       EXPECT_NEAR(found.compliance(1, 1) / static_cast<double>(rest), 1.0, 1e-8) << found.omega.size();
       EXPECT_NEAR(found.second_moment(1, 1) / static_cast<double>(moment), 1.0, 1e-5) << found.omega.size();
     }
-  });
-}
-
-/// The closed form at a complex z.
-std::complex<double> response(const ClosedForm<double>& its, Kind kind, double k, std::complex<double> z) {
-  const double kk = k * k, half = its.half;
-  const auto shear = z / its.shear_square();
-  const auto a = std::sqrt(kk - z / (its.pressure_speed * its.pressure_speed)), b = std::sqrt(kk - shear);
-  const auto tanh_a = std::tanh(a * half), tanh_b = std::tanh(b * half), square = (kk + b * b) * (kk + b * b);
-  const auto numerator = -shear / its.shear_modulus * a;
-  return kind == Kind::symmetric ? numerator / (square / tanh_a - 4.0 * kk * a * b / tanh_b)
-                                 : numerator / (square * tanh_a - 4.0 * kk * a * b * tanh_b);
-}
-
-// Cauchy: the response to slow forces, less its mean value on a circle, is that of the modes in the circle.
-TEST_P(AtAnyWaveNumber, ModesInACircleAddWhatCauchySays) {
-  constexpr int places = 400;
-  const auto closed = its.exact<double>();
-  for_each([&](const Sheets& sheets, Kind kind, double k, double cutoff) {
-    const Branches<2> found = branches<2>(sheets, k, 1.3 * cutoff, {});
-    const std::size_t modes = found.omega.size();
-    // Through the widest gap.
-    std::size_t inside = 1;
-    const auto gap = [&](std::size_t m) { return found.omega[m] / found.omega[m - 1]; };
-    for (std::size_t m = 1; m < modes; ++m) {
-      if (gap(m) > gap(inside)) inside = m;
-    }
-    const double radius = found.omega[inside - 1] * found.omega[inside];
-    double mean = 0.0, sum = 0.0;
-    for (int n = 0; n < places; ++n) {
-      mean += response(closed, kind, k, std::polar(radius, std::numbers::pi * (n + 0.5) / places)).real() / places;
-    }
-    for (std::size_t m = 0; m < inside; ++m) sum += std::pow(found.amplitude[m](1) / found.omega[m], 2);
-    const auto all = static_cast<double>(test::slow<Exact>(its.exact<Exact>(), kind, Exact(k)));
-    EXPECT_NEAR((all - mean) / all, sum / all, 1e-10) << inside;
   });
 }
 

@@ -53,16 +53,6 @@ TEST_P(SlowPlate, HasTheSecondMomentOfClosedForms) {
   });
 }
 
-TEST_P(SlowPlate, IsTheSameByHalvesAndAsAWhole) {
-  for (double x = 0.1; x < 3.0; x *= 1.4) {
-    const double k = 2.0 * x / its.thickness;
-    const Eigen::Matrix2d whole = static_compliance<2>(plate.whole.front(), k);
-    const Eigen::Matrix2d halves =
-        0.5 * (static_compliance<2>(plate.halves[0], k) + static_compliance<2>(plate.halves[1], k));
-    EXPECT_LT((whole - halves).cwiseAbs().maxCoeff(), 2e-12 * whole(1, 1)) << x;
-  }
-}
-
 // coth kh/μk, and its slope by ω² with k² − ω²/c_s² for k².
 TEST_P(SlowPlate, AnswersForcesAcrossTheWaveInClosedForm) {
   const double mu = its.sheet().shear_modulus, h = its.thickness;
