@@ -8,11 +8,10 @@
 #include <random>
 #include <vector>
 
-#include "contact/edge/complementarity.hpp"
 #include "contact/edge/edge_contact.hpp"
 #include "stoss/bodies/disk.hpp"
-#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
+#include "support/pressing.hpp"
 
 namespace stoss {
 namespace {
@@ -114,52 +113,22 @@ TEST(EdgeContact, RefusesWhatIsNoContact) {
   EXPECT_THROW(contact.solve({std::nan("")}, f, u), NotConverged);
 }
 
-/// A disk pressed to a wall: total force and half-width against the compression of its centre, by all its modes but the
-/// lowest pair.
-class Pressed : public ::testing::Test {
- protected:
-  static constexpr double width = 0.2;
-  const Contact disk_at_wall = contact(disk(0.33, 1.45));
-
-  struct Press {
-    double force, half_width;
-  };
-
-  Press with_law(int nodes, double compression) const {
-    const ContactGrid grid = contact_grid(disk_at_wall, width, nodes);
-    EdgeContact solver(residual_compliance(disk_at_wall, grid), edge_law(disk_at_wall, grid, 0.0), grid.recess.size(),
-                       {});
-    std::vector<double> q(grid.recess.size()), f(q.size()), u(q.size());
-    for (std::size_t i = 0; i < q.size(); ++i) q[i] = compression - grid.recess[i];
-    solver.solve(q, f, u);
-    double sum = 0.0;
-    for (const double each : f) sum += each;
-    return {sum, solver.half_width() * grid.points.spacing};
-  }
-
-  double without_law(int nodes, double compression) const {
-    const ContactGrid grid = contact_grid(disk_at_wall, width, nodes);
-    Complementarity solver(residual_compliance(disk_at_wall, grid), grid.recess.size());
-    std::vector<double> q(grid.recess.size()), f(q.size()), u(q.size());
-    for (std::size_t i = 0; i < q.size(); ++i) q[i] = compression - grid.recess[i];
-    solver.solve(q, f, u);
-    double sum = 0.0;
-    for (const double each : f) sum += each;
-    return sum;
-  }
-};
-
-TEST_F(Pressed, FollowsTheExactContactAtAShiftedCompression) {
+// A disk at a wall: total force and half-width against the compression of its centre, by all its modes but the lowest
+// pair.
+TEST(Pressed, FollowsTheExactContactAtAShiftedCompression) {
   constexpr int coarse = 24, fine = 600;
+  constexpr double width = 0.2;
+  const Contact disk_at_wall = contact(disk(0.33, 1.45));
+  test::Pressing few(disk_at_wall, width, coarse), many(disk_at_wall, width, fine);
   const double h = std::numbers::pi / std::floor(std::numbers::pi * coarse / width);
   double worst = 0.0, without = 0.0, wide = 0.0;
   for (int i = 0; i < 40; ++i) {
     const double compression = 0.02 * (1.0 + 0.007 * i);
-    const double exact = with_law(fine, compression + h * h / 24.0).force;
-    const Press press = with_law(coarse, compression);
+    const double exact = many.with_law(compression + h * h / 24.0).force;
+    const test::Press press = few.with_law(compression);
     worst = std::max(worst, std::abs(press.force / exact - 1.0));
-    without = std::max(without, std::abs(without_law(coarse, compression) / exact - 1.0));
-    wide = std::max(wide, std::abs(press.half_width - with_law(fine, compression).half_width) / h);
+    without = std::max(without, std::abs(few.without_law(compression) / exact - 1.0));
+    wide = std::max(wide, std::abs(press.half_width - many.with_law(compression).half_width) / h);
   }
   EXPECT_LT(worst, 3e-5);
   EXPECT_GT(without, 10.0 * worst);

@@ -131,7 +131,7 @@ class DefaultAccuracy : public ::testing::TestWithParam<double> {};
 TEST_P(DefaultAccuracy, EnergyErrorIsBelowOneInTenThousand) {
   for (const double cutoff : {25.0, 50.0}) {
     const Body body = disk(GetParam(), cutoff);
-    for (const double speed : {1e-4, 1e-3, 0.01, 0.05, 0.1, 0.2, 0.3, 0.4}) {
+    for (const double speed : {1e-4, 0.01, 0.05, 0.2, 0.4}) {  // others: the identities
       for (const Tail tail : {Tail::quasistatic, Tail::radiating}) {
         const Impact result = impact(body, HardWall{}, speed, {.resolution = {.tail = tail}});
         EXPECT_NEAR(result.energy_error, 0.0, 1e-4)

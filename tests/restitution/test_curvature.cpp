@@ -69,33 +69,8 @@ TEST(NearSide, AgreesWithFiniteElements) {
   }
 }
 
-TEST(NearSide, IsTheSameWhoeverIsFirst) {
-  for (const Disk& second : {Disk{0.33, 1000.0, 1.0, 1.0}, Disk{0.2, 300.0, 0.1, 10.0}}) {
-    const Restitution here = restitution(pair_of(second), 0.01, {.tolerance = 3e-3});
-    const Restitution there =
-        restitution(RefinableContact(disk(second), disk(0.33)), 0.01 / wave_speed(second), {.tolerance = 3e-3});
-    EXPECT_NEAR(there.lost_fraction.value, here.lost_fraction.value, 1e-9);
-    EXPECT_NEAR(there.finest.energy.lost_to_first, here.finest.energy.lost_to_second, 1e-9);
-    EXPECT_EQ(there.runs.size(), here.runs.size());
-  }
-}
-
-// The deviation from the rigid wall goes with the compliance of the second disk.
-TEST(NearSide, OfALargeHeavyAndStiffDiskIsTheRigidWall) {
-  const Restitution wall = restitution(disk(0.33), 0.1);
-  double last = 1.0;
-  for (const double ratio : {100.0, 1000.0}) {
-    const Restitution found = restitution(pair_of({0.33, 1000.0, ratio, 1000.0}), 0.1);
-    const double away = std::abs(found.lost_fraction.value - wall.lost_fraction.value);
-    EXPECT_LT(away, 0.15 * last);
-    last = away;
-  }
-  EXPECT_LT(last, 2e-2 * wall.lost_fraction.value);
-}
-
 TEST(NearSide, MeetsTheUsualToleranceAtEveryRatio) {
-  for (const Disk& second : {Disk{0.33, 46.0, 1.0, 1.0}, Disk{0.33, 1000.0, 1.0, 1.0}, Disk{0.33, 1000.0, 1e-3, 1e3},
-                             Disk{-0.5, 1000.0, 1.0, 1.0}, Disk{0.9, 46.0, 1.0, 1000.0}}) {
+  for (const Disk& second : {Disk{0.33, 46.0, 1.0, 1.0}, Disk{0.33, 1000.0, 1e-3, 1e3}, Disk{-0.5, 1000.0, 1.0, 1.0}}) {
     const RefinableContact pair = pair_of(second);
     for (const double own : {1e-8, 0.1}) {
       const double speed = std::max(1e-8, own / own_speed(pair.at(0), 1.0));

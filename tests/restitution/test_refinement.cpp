@@ -80,7 +80,7 @@ TEST(RestitutionLadder, EndsEarlyWhereErrorsFallTooSlowly) {
   EXPECT_NE(best.reason.find("try a tolerance of 0.00"), std::string::npos) << best.reason;
 }
 
-TEST(RestitutionLadder, EndsEarlyForToleranceOutOfReach) {
+TEST(RestitutionLadder, EndsEarlyForToleranceOutOfReach_long) {
   const Restitution best = given_up(0.99, 1.0, 1e-7);
   EXPECT_LT(best.steps, 15'000);
   EXPECT_LT(best.finest.cutoff, 362.0);

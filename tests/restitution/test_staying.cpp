@@ -91,13 +91,14 @@ TEST(StayingBall, RollsInTheEndWhereFrictionIsEnough) {
   }
 }
 
-TEST(StayingBall, ObeysMechanicsOnFiftyThinPlates) {
+/// On so many plates, on some of which the ball stays.
+void expect_mechanics_on(int plates) {
   std::mt19937_64 random(46);
   const auto uniform = [&](double from, double to) {
     return from + (to - from) * std::ldexp(static_cast<double>(random() >> 11U), -53);
   };
   int stayed = 0;
-  for (int k = 0; k < 50; ++k) {
+  for (int k = 0; k < plates; ++k) {
     Plate solid{.thickness = std::exp(uniform(std::log(0.12), std::log(0.6))), .poisson = uniform(0.0, 0.45)};
     solid.young = std::exp(uniform(-1.5, 1.5));
     solid.density = std::exp(uniform(-1.0, 1.0));
@@ -113,9 +114,13 @@ TEST(StayingBall, ObeysMechanicsOnFiftyThinPlates) {
         oblique_restitution(contact, speed, std::vector{before}, {.tolerance = 0.05}).front();
     stayed += expect_mechanics(contact, speed, found) ? 1 : 0;
   }
-  EXPECT_GT(stayed, 15);
-  EXPECT_LT(stayed, 45);
+  EXPECT_GT(10 * stayed, 3 * plates);
+  EXPECT_LT(10 * stayed, 9 * plates);
 }
+
+TEST(StayingBall, ObeysMechanicsOnThinPlates) { expect_mechanics_on(15); }
+
+TEST(StayingBall, ObeysMechanicsOnFiftyThinPlates_long) { expect_mechanics_on(50); }
 
 // From plates that throw the ball back a little to those on which it stays nothing jumps.
 TEST(StayingBall, ComesToStayWithoutAJump) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/modal_body.hpp"
@@ -53,9 +54,9 @@ void expect_near(const Estimate& found, const Estimate& expected) {
   EXPECT_NEAR(found.value, expected.value, found.error + expected.error);
 }
 
-TEST(ModalBody, OfASphereIsTheSphereWithinBothErrors) {
+void expect_is_the_sphere(const std::vector<double>& ratios) {
   for (const Meeting& meeting : meetings()) {
-    for (const double poisson : {0.0, 0.3, 0.45}) {
+    for (const double poisson : ratios) {
       const RefinableContact whole = meeting.with(sphere(poisson));
       for (double speed = meeting.slowest; speed < 1.01 * meeting.fastest; speed *= 10.0) {
         const Restitution exact = value_of(whole, speed);
@@ -80,6 +81,10 @@ TEST(ModalBody, OfASphereIsTheSphereWithinBothErrors) {
     }
   }
 }
+
+TEST(ModalBody, OfASphereIsTheSphereWithinBothErrors) { expect_is_the_sphere({0.3}); }
+
+TEST(ModalBody, OfAnySphereIsTheSphereWithinBothErrors_long) { expect_is_the_sphere({0.0, 0.3, 0.45}); }
 
 TEST(ModalBody, OfALossySphereLosesAsTheSphere) {
   for (const double loss_time : {0.01, 0.1, 2.0}) {
