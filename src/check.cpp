@@ -1,5 +1,4 @@
 #include "check.hpp"
-#include "ranges.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
-#include "c/handles.hpp"
-#include "c/status.hpp"
+#include "c/interface.hpp"
+
 #include "stoss/version.hpp"
 
 namespace {

@@ -5,8 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "c/handles.hpp"
-#include "c/status.hpp"
+#include "c/interface.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/encounter/collision.hpp"
 #include "stoss/encounter/document.hpp"

@@ -3,8 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "c/handles.hpp"
-#include "c/status.hpp"
+#include "c/interface.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/table/adaptive.hpp"
 

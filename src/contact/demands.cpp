@@ -13,7 +13,7 @@ const ExponentialWall* soft_wall(const Contact& contact) { return std::get_if<Ex
 
 }  // namespace
 
-double following_step(const Contact& contact, Tail tail, double speed) {
+double resolving_step(const Contact& contact, Tail tail, double speed) {
   if (const auto* soft = soft_wall(contact)) {
     // The edge layer on the soft wall oscillates at about √(α v ω_c), and what first touches it bounces within 1/(α v).
     const double bounce = soft->hardness * speed;
@@ -36,7 +36,7 @@ double needed_nodes(const Contact& contact, double half_width) {
   return soft == nullptr ? 0.0 : std::max(128.0, soft->hardness * half_width * half_width);
 }
 
-double unfelt_distance(const Contact& contact, double reach, double speed, double half_width) {
+double force_free_distance(const Contact& contact, double reach, double speed, double half_width) {
   if (const auto* soft = soft_wall(contact)) {
     constexpr double negligible = 1e-12, edge = 2.0 * std::numbers::pi;  // at least that of any body
     const double energy = 0.5 * contact.mass * speed * speed;

@@ -5,8 +5,8 @@
 /// What the law of a contact asks of an impact before it is computed. Lengths are in R, times in R/c.
 namespace stoss {
 
-/// Time step that follows it.
-[[nodiscard]] double following_step(const Contact& contact, Tail tail, double speed);
+/// Time step that resolves the contact law.
+[[nodiscard]] double resolving_step(const Contact& contact, Tail tail, double speed);
 
 /// Gap up to which points push that have not touched; 0 at a hard contact.
 [[nodiscard]] double pushing_gap(const Contact& contact);
@@ -17,7 +17,7 @@ namespace stoss {
 /// Distance from first touch at which bodies that vibrate feel nothing of each other.
 /// @param reach      of the vibration
 /// @param half_width of the contact that is expected
-[[nodiscard]] double unfelt_distance(const Contact& contact, double reach, double speed, double half_width);
+[[nodiscard]] double force_free_distance(const Contact& contact, double reach, double speed, double half_width);
 
 /// Time after which a contact that has not ended will not.
 [[nodiscard]] double longest_duration(const Contact& contact);

@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "contact/touch.hpp"
+#include "numeric/kernels.hpp"
+#include "stoss/contact/grid.hpp"
 
 namespace stoss {
 double first_kick(const Contact& contact) {
@@ -61,6 +63,92 @@ double HardContact::largest_displacement() const {
   double largest = 0.0;
   for (const double displacement : displacement_) largest = std::max(largest, std::abs(displacement));
   return largest;
+}
+
+QuasistaticTail::QuasistaticTail(const Contact& contact, const ContactGrid& grid, double speed, double step,
+                                 const Poll& poll)
+    : HardContact(contact, grid, ResidualMotion::Inertia::none, speed, step, poll),
+      old_displacement_(grid.recess.size()) {}
+
+const std::vector<double>& QuasistaticTail::advance(const std::vector<double>& position) {
+  if (!lossy_) {
+    contact_.solve(position, force_, displacement_);
+    position_ = position;
+    return force_;
+  }
+  const std::vector<double>& free = residuals_.predict();
+  for (std::size_t i = 0; i < position.size(); ++i) gap_[i] = position[i] - free[i];
+  old_force_.swap(force_);
+  old_displacement_.swap(displacement_);
+  contact_.follow(position_.front(), position.front(), step_);
+  contact_.solve(gap_, force_, displacement_);
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    displacement_[i] += free[i];
+    const double opened = position[i] - position_[i] - (displacement_[i] - old_displacement_[i]);
+    edge_work_ += 0.5 * (old_force_[i] + force_[i]) * opened;
+  }
+  residuals_.move(displacement_, force_, contact_.extent());
+  position_ = position;
+  return force_;
+}
+
+std::array<double, 2> QuasistaticTail::dissipated_energy() const {
+  if (!lossy_) return {};
+  const auto [first, second] = residuals_.dissipated();
+  const double edge = edge_work_ - contact_.law_energy(force_);
+  return {first + first_share_ * edge, second + (1.0 - first_share_) * edge};
+}
+
+double QuasistaticTail::stored_energy() const {
+  if (!lossy_) return contact_.energy(force_, displacement_);
+  return residuals_.stored() + contact_.law_energy(force_);
+}
+
+double QuasistaticTail::protrusion() const { return lossy_ ? largest_displacement() : 0.0; }
+
+namespace kernels = numeric::kernels;
+
+RadiatingTail::RadiatingTail(const Contact& contact, const ContactGrid& grid, double speed, double step,
+                             const Poll& poll)
+    : HardContact(contact, grid, ResidualMotion::Inertia::all, speed, step, poll),
+      contact_displacement_(grid.recess.size()) {}
+
+const std::vector<double>& RadiatingTail::advance(const std::vector<double>& position) {
+  const std::size_t nodes = position.size();
+  if (at_rest_ && contact_.is_clear(position)) {
+    position_ = position;
+    return force_;
+  }
+  at_rest_ = false;
+  const std::vector<double>& free = residuals_.predict();
+  kernels::subtract(position.data(), free.data(), nodes, gap_.data());
+  old_force_.swap(force_);
+  const std::size_t extent_before = contact_.extent();
+  contact_.follow(position_.front(), position.front(), step_);
+  contact_.solve(gap_, force_, contact_displacement_);
+  const std::size_t pushed = std::max(extent_before, contact_.extent());
+  double work = work_;
+  for (std::size_t i = 0; i < pushed; ++i) work += 0.5 * (old_force_[i] + force_[i]) * (position[i] - position_[i]);
+  work_ = work;
+  for (std::size_t i = 0; lossy_ && i < pushed; ++i) {
+    const double opened = position[i] - position_[i] - (free[i] + contact_displacement_[i] - displacement_[i]);
+    edge_work_ += 0.5 * (old_force_[i] + force_[i]) * opened;
+  }
+  kernels::add(free.data(), contact_displacement_.data(), nodes, displacement_.data());
+  residuals_.move(displacement_, force_, contact_.extent());
+  position_ = position;
+  return force_;
+}
+
+std::array<double, 2> RadiatingTail::dissipated_energy() const {
+  if (!lossy_) return {};
+  const auto [first, second] = residuals_.dissipated();
+  return {first + first_share_ * edge_work_, second + (1.0 - first_share_) * edge_work_};
+}
+
+double RadiatingTail::unresolved_energy() const {
+  const auto [first, second] = dissipated_energy();
+  return work_ - first - second - stored_energy();
 }
 
 }  // namespace stoss

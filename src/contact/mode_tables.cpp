@@ -5,7 +5,6 @@
 
 #include "numeric/damped_oscillator.hpp"
 #include "numeric/kernels.hpp"
-#include "numeric/stable_kicks.hpp"
 
 namespace stoss {
 

@@ -55,7 +55,7 @@ class ContactResponse {
   [[nodiscard]] virtual double range() const = 0;
 
   /// Whether it pushes at any distance, on all of the edge that there is, and before an impact.
-  [[nodiscard]] virtual bool acts_from_afar() const { return false; }
+  [[nodiscard]] virtual bool is_long_range() const { return false; }
 
   /// Compression at which it begins, from which compression is measured.
   [[nodiscard]] virtual double touch() const = 0;

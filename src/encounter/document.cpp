@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "encounter/formats.hpp"
 #include "encounter/json_values.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/encounter/modal_file.hpp"

@@ -118,7 +118,7 @@ void require_rigid(const Participant& of) {
 
 void require_one_that_deforms(const Encounter& encounter) {
   require_rigid(encounter.first);
-  of_what_is_met([&] { require_rigid(encounter.against); });
+  with_prefix_against([&] { require_rigid(encounter.against); });
   const bool other = kind(encounter.against.kind).wall || encounter.against.rigid;
   if (encounter.first.rigid && other) {
     throw InvalidInput::out_of_range(
@@ -156,7 +156,7 @@ void validate(const Encounter& encounter) {
   require_one_that_deforms(encounter);
   require_units(encounter);
   (void)first_maker(encounter);
-  of_what_is_met([&] { validate(wall_of(encounter)); });
+  with_prefix_against([&] { validate(wall_of(encounter)); });
   (void)second_maker(encounter);
   (void)yield_speed(encounter);
 }
@@ -202,7 +202,7 @@ std::optional<Solid> second_solid(const Encounter& encounter) {
   // A half-plane has no size: that of the first serves to express its modulus.
   const double radius = given_or(encounter.first, "radius", 1.0);
   const Kind& against = kind(encounter.against.kind);
-  return of_what_is_met([&] {
+  return with_prefix_against([&] {
     if (against.from_file) return std::optional(modal_solid(encounter, encounter.against));
     Solid made = against.solid(own_units(encounter, against, all_values(encounter.against, its, radius)));
     for (Values& layer : values_below(encounter.against, its, radius)) {
@@ -217,7 +217,7 @@ BodyMaker first_maker(const Encounter& encounter) { return made(encounter.first,
 BodyMaker second_maker(const Encounter& encounter) {
   if (encounter.against.kind == "same") return first_maker(encounter);
   const auto second = second_solid(encounter);
-  return second ? of_what_is_met([&] { return made(encounter.against, *second); }) : BodyMaker{};
+  return second ? with_prefix_against([&] { return made(encounter.against, *second); }) : BodyMaker{};
 }
 
 Wall wall_of(const Encounter& encounter) {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "check.hpp"
-#include "ranges.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/encounter/visible.hpp"
 #include "stoss/errors.hpp"

@@ -11,7 +11,6 @@
 
 #include "encounter/participant.hpp"
 #include "quasistatic/lossy_motion.hpp"
-#include "quasistatic/quality.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/encounter/encounter.hpp"
 #include "stoss/encounter/kinds.hpp"

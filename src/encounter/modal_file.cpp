@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "encounter/formats.hpp"
 #include "encounter/json_values.hpp"
 #include "encounter/modal_rotation.hpp"
 

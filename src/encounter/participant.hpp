@@ -12,7 +12,7 @@ namespace stoss {
 
 /// What `make` returns; its refusals say that they are of what is met.
 template <typename Make>
-auto of_what_is_met(Make make) {
+auto with_prefix_against(Make make) {
   try {
     return make();
   } catch (const InvalidInput& error) {

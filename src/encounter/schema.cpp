@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "encounter/formats.hpp"
+#include "encounter/json_values.hpp"
 #include "stoss/encounter/inputs.hpp"
 #include "stoss/encounter/kinds.hpp"
 #include "stoss/encounter/materials.hpp"

@@ -48,7 +48,7 @@ std::optional<double> yield_speed(const Encounter& encounter) {
   if (encounter.against.kind == "same") return quasistatic::yield_speed(material, radius, material, radius);
   if (kind(encounter.against.kind).wall) return quasistatic::yield_speed(material, radius);
   if (!kind(encounter.against.kind).can_yield) return std::nullopt;
-  return of_what_is_met([&] {
+  return with_prefix_against([&] {
     Material other = *encounter.against.material;
     if (encounter.against.rigid) other.young = unlimited;
     return quasistatic::yield_speed(material, radius, other, given_or(encounter.against, "radius", unlimited));

@@ -33,7 +33,7 @@ Collision::Collision(const Contact& contact, const FixedResolution& resolution, 
   compression_ = start ? contact_.extent + start->center : response_->start(speed_ * step_);
   if (pressures_ != nullptr) pressures_->begin(compression_);
   respond();
-  if (!acts_from_afar() && force_ > 0.0) {
+  if (!is_long_range() && force_ > 0.0) {
     throw InvalidInput::conflict("start", "the body already touches the wall", "move its center back");
   }
   // The first step has only the second half of the first kick.
@@ -84,7 +84,7 @@ void Collision::record() {
 double Collision::since_touch() const {
   // At a hard wall the foremost node has moved uniformly from its last position out of contact; it touches where the
   // foremost point of the whole surface does, which may still be to come.
-  if (acts_from_afar() || foremost_ <= foremost_before_) return 0.5;
+  if (is_long_range() || foremost_ <= foremost_before_) return 0.5;
   const double touching = touch_ - grid_.recess.front();
   return std::min(1.0, (foremost_ - touching) / (foremost_ - foremost_before_));
 }

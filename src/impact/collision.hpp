@@ -39,7 +39,7 @@ class Collision {
   [[nodiscard]] bool overflows() const { return !has_single_point(contact_) && response_->overflows(); }
 
   /// What is met pushes at any distance, and may push on all of the edge.
-  [[nodiscard]] bool acts_from_afar() const { return response_->acts_from_afar(); }
+  [[nodiscard]] bool is_long_range() const { return response_->is_long_range(); }
 
   /// The body recedes and can touch the wall no more.
   [[nodiscard]] bool over();

@@ -44,7 +44,7 @@ double time_before_touch(const Contact& contact, const State& touch) {
   for (double& momentum : back.momentum) momentum = -momentum;
   KeptModes modes(mode_tables(contact, grid, between_looks / contact.cutoff, Kicks::whole));
   modes.set(back.coordinate, back.momentum);
-  const double range = unfelt_distance(contact, margin * modes.reach(), speed, half_width);
+  const double range = force_free_distance(contact, margin * modes.reach(), speed, half_width);
   return time_to_part(std::move(modes), grid.recess, {0.0, -speed, range});
 }
 

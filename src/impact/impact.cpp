@@ -8,10 +8,9 @@
 #include "contact/demands.hpp"
 #include "contact/unit_ratios.hpp"
 #include "impact/collision.hpp"
+#include "impact/ending.hpp"
 #include "impact/inputs.hpp"
 #include "impact/recommended.hpp"
-#include "impact/rest.hpp"
-#include "impact/whole_bodies.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
@@ -84,7 +83,7 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
     rest.watch(step, [&] { return slowing(collision); });
     if (collision.overflows()) {
       if (resolution.half_width < greatest_half_width(contact)) return std::nullopt;
-      if (!collision.acts_from_afar()) {
+      if (!collision.is_long_range()) {
         throw NotConverged("impact: the contact spreads over the whole body (speed too high for this model)");
       }
     }

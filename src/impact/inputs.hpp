@@ -1,8 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
+#include "stoss/contact/contact.hpp"
 #include "stoss/impact/impact.hpp"
+#include "stoss/impact/vibration.hpp"
 
 namespace stoss {
 
@@ -23,5 +26,15 @@ void require_resolved(double energy_error);
 /// Fills what an impact is told by, and whether it is beyond small strain.
 void show_inputs(const Contact& contact, double speed, const FixedResolution& resolution, const ImpactOptions& options,
                  Impact& impact);
+
+/// Greatest strain of the bodies in an impact, estimated (Impact::strain).
+[[nodiscard]] double greatest_strain(const Contact& contact, double speed, const ImpactOptions& options,
+                                     const Impact& impact);
+
+/// "mode (2, 0) of the first body".
+[[nodiscard]] std::string named(const Oscillation& mode);
+
+/// @throws InvalidInput for a mode that bodies like these do not have at any cutoff
+void require_possible(const Contact& contact, const Oscillation& mode);
 
 }  // namespace stoss

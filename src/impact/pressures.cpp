@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contact/landing.hpp"
+#include "contact/friction.hpp"
 
 namespace stoss {
 
@@ -17,7 +17,7 @@ void Pressures::add(const std::vector<double>& force, const ContactResponse& res
     const double now = i < response.extent() ? force[i] : 0.0, gap = response.gap(i);
     if (kept) {
       force_.push_back(now);
-      give_.push_back(first ? 0.0 : landing_give(1.0, gap, gap_before_[i], now, force_before_[i]));
+      give_.push_back(first ? 0.0 : edge_compliance_along(1.0, gap, gap_before_[i], now, force_before_[i]));
     }
     force_before_[i] = now;
     gap_before_[i] = gap;

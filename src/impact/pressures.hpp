@@ -35,7 +35,7 @@ class Pressures {
   /// Number of leading nodes beyond which the forces of a step vanish.
   [[nodiscard]] std::size_t extent(std::size_t step) const { return extent_[step]; }
 
-  /// D of all nodes in a step, where both directions are equally soft (landing_give).
+  /// D of all nodes in a step, where both directions are equally soft (edge_compliance_along).
   [[nodiscard]] const double* give(std::size_t step) const { return &give_[step * nodes_]; }
 
  private:

@@ -38,7 +38,7 @@ FixedResolution fixed_resolution(const Contact& contact, double speed, const Res
     const long fewest = !has_single_point(contact) ? std::max(16, nyquist_nodes(contact, half_width)) : 1;
     require("nodes", static_cast<long>(*nodes), fewest, most_nodes, "contact nodes; as many as the kept orders need");
   }
-  return {step ? *step : following_step(contact, tail, speed), nodes ? *nodes : nodes_within(contact, half_width),
+  return {step ? *step : resolving_step(contact, tail, speed), nodes ? *nodes : nodes_within(contact, half_width),
           half_width, tail};
 }
 

@@ -92,7 +92,7 @@ double clearance(const Contact& contact, const State& state) {
   constexpr double margin = 1.05;
   const double speed = std::abs(state.velocity);
   const double half_width = has_single_point(contact) ? 0.0 : initial_half_width(contact, speed);
-  return unfelt_distance(contact, margin * reach(contact, state), speed, half_width);
+  return force_free_distance(contact, margin * reach(contact, state), speed, half_width);
 }
 
 }  // namespace stoss

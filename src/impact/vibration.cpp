@@ -12,7 +12,7 @@
 #include "check.hpp"
 #include "contact/unit_ratios.hpp"
 #include "impact/free_flight.hpp"
-#include "impact/possible_modes.hpp"
+#include "impact/inputs.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -63,35 +63,6 @@ void require_motion(const State& state) {
 }
 
 }  // namespace
-
-std::string named(const Oscillation& mode) {
-  return "mode (" + std::to_string(mode.order) + ", " + std::to_string(mode.index) + ") of the " +
-         (mode.body == 0 ? "first" : "second") + " body";
-}
-
-void require_possible(const Contact& contact, const Oscillation& mode) {
-  const auto its = body_of(contact, mode.body);
-  if (its == nullptr) {
-    throw InvalidInput::out_of_range("vibration", "a mode of body " + std::to_string(mode.body),
-                                     body_of(contact, 1) == nullptr ? "0" : "0 or 1", "a wall has no modes");
-  }
-  const Body& body = *its;
-  if (!is_whole(body)) {
-    throw InvalidInput::out_of_range("vibration", "a mode of '" + short_name(body) + "'",
-                                     "modes of bodies that are there as a whole", "the waves of this one run away");
-  }
-  if (is_known_at_a_point(body)) {
-    throw InvalidInput::out_of_range("vibration", "a mode of '" + body.name + "'",
-                                     "modes of bodies that are known as a whole", "of this one a point is");
-  }
-  if (mode.order < 0 || mode.index < 0) {
-    throw InvalidInput::out_of_range("vibration", named(mode), "an order and an index of 0 or more");
-  }
-  const auto has_order = [&mode](const ModeGroup& group) { return group.order == mode.order; };
-  if (mode.order != 0 && has_single_point(contact) && std::none_of(body.groups.begin(), body.groups.end(), has_order)) {
-    throw InvalidInput::out_of_range("vibration", named(mode), "order 0", "a flat end has no other");
-  }
-}
 
 State approach(const Contact& contact, double speed, const Vibration& vibration) {
   require_speed(speed);

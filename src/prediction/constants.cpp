@@ -6,7 +6,7 @@
 #include "check.hpp"
 #include "encounter/participant.hpp"
 #include "prediction/touching.hpp"
-#include "quasistatic/quality.hpp"
+#include "quasistatic/lossy_motion.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/errors.hpp"
 

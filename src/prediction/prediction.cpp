@@ -6,7 +6,6 @@
 
 #include "check.hpp"
 #include "prediction/constants.hpp"
-#include "prediction/motion.hpp"
 #include "prediction/touching.hpp"
 #include "prediction/warnings.hpp"
 #include "restitution/ordered_jobs.hpp"
@@ -16,12 +15,12 @@
 namespace stoss {
 namespace {
 
+using prediction::CalibratedImpact;
 using prediction::Computed;
-using prediction::Motion;
+using prediction::PredictedImpact;
 using prediction::Touching;
 using prediction::Variant;
 using prediction::Waves;
-using prediction::Whole;
 using quasistatic::YieldLaw;
 
 constexpr double gravity = 9.80665;  // m/s²
@@ -51,10 +50,10 @@ Computed channels(const Restitution& its, double rings, double radiates) {
 }
 
 /// One speed, with all that it needs.
-class Drop {
+class PredictionAtSpeed {
  public:
-  Drop(const Encounter& given, const Thresholds& limits, double speed, const PredictionOptions& options,
-       const Poll& poll)
+  PredictionAtSpeed(const Encounter& given, const Thresholds& limits, double speed, const PredictionOptions& options,
+                    const Poll& poll)
       : given_(given),
         limits_(limits),
         speed_(speed),
@@ -117,8 +116,8 @@ class Drop {
   [[nodiscard]] Waves waves() const { return touching_.sheet ? Waves::of_force : Waves::of_rate; }
 
   void add_models(Prediction& made) const {
-    const Motion motion(computed_, waves());
-    const Whole whole = motion.with(touching_, speed_);
+    const CalibratedImpact motion(computed_, waves());
+    const PredictedImpact whole = motion.with(touching_, speed_);
     const Estimate& alone = made.without_models;
     made.restitution = {whole.restitution,
                         alone.value > 0.0 ? alone.error * whole.restitution / alone.value : alone.error};
@@ -132,7 +131,7 @@ class Drop {
 
   /// How far models are from their ε: other published laws of yield and what the own one leaves open, how far adhesion
   /// is that of Johnson, Kendall and Roberts, and how a plate answers.
-  void spread(const Motion& motion, Prediction& made) const {
+  void spread(const CalibratedImpact& motion, Prediction& made) const {
     const double its = made.restitution.value;
     made.models_low = made.models_high = its;
     const auto take = [&made](double other) {
@@ -159,7 +158,7 @@ class Drop {
       smooth.work_of_adhesion = 0.0;
       take(its + (1.0 - share) * (motion.with(smooth, speed_).restitution - its));
     }
-    if (touching_.sheet) take(Motion(computed_, Waves::of_rate).with(touching_, speed_).restitution);
+    if (touching_.sheet) take(CalibratedImpact(computed_, Waves::of_rate).with(touching_, speed_).restitution);
     made.by_models = std::max(its - made.models_low, made.models_high - its);
   }
 
@@ -190,7 +189,7 @@ class Drop {
     for (const Variant& variant : prediction::variants(given_, encounter_, options_)) {
       const Computed computed = variant.elastic ? computed_of(variant.encounter, as_here) : computed_;
       const Touching its = prediction::touching(variant.encounter, variant.work_of_adhesion);
-      const Motion motion(computed, waves(), variant.material_factor);
+      const CalibratedImpact motion(computed, waves(), variant.material_factor);
       const double change = motion.with(its, speed_).restitution - made.restitution.value;
       made.influences.push_back({variant.constant, variant.uncertainty, change});
       square += change * change;
@@ -229,7 +228,7 @@ std::vector<Prediction> predict(const Encounter& encounter, const std::vector<do
   std::vector<Prediction> made;
   made.reserve(speeds.size());
   const auto job = [&](std::size_t i, const Poll& heed) {
-    return Drop(encounter, limits, speeds[i], options, heed).predicted();
+    return PredictionAtSpeed(encounter, limits, speeds[i], options, heed).predicted();
   };
   const auto deliver = [&made](std::size_t, Prediction&& each) { made.push_back(std::move(each)); };
   run_in_order<Prediction>(speeds.size(), options.threads, job, deliver, options.poll);

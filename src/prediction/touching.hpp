@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "stoss/prediction/prediction.hpp"
@@ -36,5 +37,40 @@ struct Touching {
 
 /// @throws InvalidInput unless a sphere with a material meets what a ball can
 [[nodiscard]] Touching touching(const Encounter& encounter, std::optional<double> work_of_adhesion);
+
+/// What the computed channels take by themselves, as shares of the energy.
+struct Computed {
+  double restitution = 1.0;  ///< ε
+  double ringing = 0.0, radiation = 0.0, material = 0.0;
+
+  [[nodiscard]] double waves() const { return ringing + radiation; }
+};
+
+/// All channels in one motion.
+struct PredictedImpact {
+  double restitution = 0.0;
+  std::array<double, 5> shares{};  ///< in the order of Channel
+  double time = 0.0;               ///< contact, s
+};
+
+/// How waves answer to the force: radiation to its rate, or, in a thin plate, a velocity to the force itself.
+enum class Waves { of_rate, of_force };
+
+/// The motion that without models loses what the computed channels do, to which models are added.
+class CalibratedImpact {
+ public:
+  /// @param material_factor times the loss in the material
+  CalibratedImpact(const Computed& computed, Waves waves, double material_factor = 1.0);
+
+  /// With models: ε is that of the motion times what the computed one has over its own without models, 1 but where
+  /// nearly all is lost.
+  [[nodiscard]] PredictedImpact with(const Touching& touching, double speed,
+                                     quasistatic::YieldLaw law = quasistatic::YieldLaw::finite_elements) const;
+
+ private:
+  Computed computed_;
+  quasistatic::InelasticContact lossy_;
+  double correction_ = 1.0;
+};
 
 }  // namespace stoss::prediction

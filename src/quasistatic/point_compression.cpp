@@ -15,7 +15,7 @@
 
 #include "bodies/sphere/mode_search.hpp"
 #include "check.hpp"
-#include "quasistatic/point_law.hpp"
+#include "quasistatic/point_pulse.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 
 namespace stoss::quasistatic {

@@ -143,7 +143,7 @@ double translation_before(const EnergyLedger& ledger) {
 /// The ledger of the finest impact adds up to its own 1 − ε². What the result has less is energy that the modes above
 /// the cutoff would have given back, each body its part of `unresolved`; of a half-space they give nothing back. What
 /// the ledger misses, its energy error, belongs to each share as much as the share is large.
-void share_out(const Contact& contact, Restitution& result) {
+void apportion_losses(const Contact& contact, Restitution& result) {
   const EnergyLedger& ledger = result.finest.energy;
   const double unit = translation_before(ledger);
   const double given_back = unit * (result.finest.lost_fraction - result.lost_fraction.value);
@@ -206,7 +206,7 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
       lasting->error = unknown;
     }
   }
-  share_out(contact, result);
+  apportion_losses(contact, result);
   result.converged = error <= std::max(result.tolerance * std::abs(lost), result.absolute);
 }
 

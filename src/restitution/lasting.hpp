@@ -5,8 +5,8 @@
 #include <string>
 
 #include "check.hpp"
-#include "contact/staying.hpp"
-#include "impact/whole_bodies.hpp"
+#include "contact/zener.hpp"
+#include "impact/ending.hpp"
 #include "stoss/restitution/ladder.hpp"
 
 namespace stoss {

@@ -10,12 +10,10 @@
 #include "contact/touch.hpp"
 #include "impact/oblique/frame.hpp"
 #include "impact/recommended.hpp"
-#include "ranges.hpp"
+#include "restitution/input_uncertainty.hpp"
 #include "restitution/lasting.hpp"
 #include "restitution/neglected_coupling.hpp"
-#include "restitution/oblique_doubts.hpp"
 #include "restitution/oblique_errors.hpp"
-#include "restitution/oblique_motion.hpp"
 #include "restitution/own_choice.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/restitution/curve.hpp"
@@ -167,7 +165,7 @@ double refine(const RefinableContact& contact, const ObliqueOptions& options, st
     };
     if (!open.empty() && work() > most_without_hope && std::all_of(open.begin(), open.end(), hopeless)) break;
   }
-  for (ObliqueRestitution* each : open) give_up(plan, *each);
+  for (ObliqueRestitution* each : open) mark_unconverged(plan, *each);
   return stretch;
 }
 
@@ -203,7 +201,7 @@ std::vector<ObliqueRestitution> results_of(const RefinableContact& contact, doub
       if (like_central(each)) each.restitution = central.restitution;
     }
   }
-  if (shared) add_oblique_doubts(contact, speed, stretch, options, results);
+  if (shared) add_oblique_input_uncertainty(contact, speed, stretch, options, results);
   return results;
 }
 

@@ -168,7 +168,7 @@ bool is_hopeless(const ObliquePlan& plan, const ObliqueRestitution& result, doub
   return !(result.runs.back().cutoff * std::pow(missing, 1.0 / plan.order) <= highest);
 }
 
-void give_up(const ObliquePlan& plan, ObliqueRestitution& result) {
+void mark_unconverged(const ObliquePlan& plan, ObliqueRestitution& result) {
   if (result.runs.size() >= 2) {
     const std::string way = way_out("use a larger tolerance", result.sliding_after.error / scale_of(result));
     if (plan.unstable) {

@@ -11,12 +11,12 @@
 #include "check.hpp"
 #include "contact/touch.hpp"
 #include "contact/unit_ratios.hpp"
-#include "impact/possible_modes.hpp"
+#include "impact/ending.hpp"
+#include "impact/inputs.hpp"
 #include "impact/recommended.hpp"
-#include "impact/whole_bodies.hpp"
 #include "restitution/curvature.hpp"
-#include "restitution/doubts.hpp"
 #include "restitution/error_bar.hpp"
+#include "restitution/input_uncertainty.hpp"
 #include "restitution/lasting.hpp"
 #include "restitution/own_choice.hpp"
 
@@ -116,18 +116,18 @@ double work(const Impact& run) {
 }
 
 /// What is to be expected of finer runs.
-struct Outlook {
+struct NextRun {
   int rungs;         ///< to the next run
   double cutoff;     ///< at which the tolerance would be met, if the errors go on falling as they did
   double reachable;  ///< scaled error that the highest cutoff would meet
   bool worthwhile;   ///< the next run has a chance, or costs little
 };
 
-Outlook outlook(const Restitution& result, const Reached& first, double expected, double highest) {
+NextRun outlook(const Restitution& result, const Reached& first, double expected, double highest) {
   const Reached last{result.runs.back().cutoff, scaled_error(result)};
   const double order = falling_order(first, last, expected);
   const double missing = result.lost_fraction.error / (aim * wanted_error(result));
-  Outlook next{};
+  NextRun next{};
   next.rungs = static_cast<int>(std::clamp(std::ceil(4.0 * std::log2(missing) / expected), 1.0, 1.0 * most_rungs));
   next.cutoff = last.cutoff * std::pow(missing, 1.0 / order);
   next.reachable = last.error / aim * std::pow(last.cutoff / highest, order);
@@ -149,7 +149,7 @@ std::string stays_open(const Restitution& result) {
 std::string_view frequency_unit(const Contact& contact) { return has_single_point(contact) ? " c/L" : " c/R"; }
 
 /// @param error of 1 − ε² that was reached
-std::string beyond_reach(const Outlook& next, double highest, bool vibrating, double error, std::string_view unit) {
+std::string beyond_reach(const NextRun& next, double highest, bool vibrating, double error, std::string_view unit) {
   const auto rounded = [](double x) {
     std::array<char, 32> text{};
     (void)std::snprintf(text.data(), text.size(), "%.2g", x);
@@ -191,7 +191,7 @@ Restitution refined(const RefinableContact& contact, double speed, const Restitu
   result.tolerance = options.tolerance;
   result.absolute = options.absolute;
   std::optional<Reached> first;
-  Outlook next{second_rung(contact.at(0, options.poll)), 0.0, 0.0, true};
+  NextRun next{second_rung(contact.at(0, options.poll)), 0.0, 0.0, true};
   const CurvatureCorrection correction = curvature_correction(contact, speed, options.poll);
   std::string trouble;
   const double energy = whole_energy(options.vibration);
@@ -230,7 +230,7 @@ Restitution refined(const RefinableContact& contact, double speed, const Restitu
       continue;
     }
     if (result.converged) {
-      add_doubts(contact, speed, stretch, options, result);
+      add_input_uncertainty(contact, speed, stretch, options, result);
       return result;
     }
     trouble = result.finest.remaining > wanted_error(result) ? stays_open(result) : out_of_reach(correction, result);
@@ -246,7 +246,7 @@ Restitution refined(const RefinableContact& contact, double speed, const Restitu
     throw NotConverged(trouble.empty() ? "restitution: " + none : trouble);
   }
   conclude(contact.at(0), speed, correction, result);
-  add_doubts(contact, speed, stretch, options, result);
+  add_input_uncertainty(contact, speed, stretch, options, result);
   if (result.lost_fraction.error > 1.0)
     result.lost_fraction.error = result.restitution.error = std::numeric_limits<double>::infinity();
   result.converged = false;  // two or three runs that agree are not enough

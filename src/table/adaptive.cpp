@@ -9,9 +9,7 @@
 #include <vector>
 
 #include "check.hpp"
-#include "numeric/monotone_cubic.hpp"
-#include "numeric/parabolic_cubic.hpp"
-#include "ranges.hpp"
+#include "numeric/interpolation.hpp"
 #include "stoss/errors.hpp"
 #include "table/computed_values.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "stoss/restitution/restitution.hpp"
-#include "table/nested_axis.hpp"
+#include "table/axes.hpp"
 
 namespace stoss {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "check.hpp"
-#include "numeric/bins.hpp"
+#include "numeric/interpolation.hpp"
 #include "stoss/table/c_source.hpp"
 #include "table/arguments.hpp"
 #include "table/axes.hpp"

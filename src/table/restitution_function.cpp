@@ -8,8 +8,7 @@
 #include <utility>
 
 #include "check.hpp"
-#include "numeric/bins.hpp"
-#include "numeric/monotone_cubic.hpp"
+#include "numeric/interpolation.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {

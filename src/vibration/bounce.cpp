@@ -10,7 +10,6 @@
 
 #include "check.hpp"
 #include "impact/free_flight.hpp"
-#include "ranges.hpp"
 
 namespace stoss {
 namespace {

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "check.hpp"
-#include "ranges.hpp"
 #include "restitution/ordered_jobs.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/curve.hpp"

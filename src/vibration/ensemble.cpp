@@ -11,7 +11,6 @@
 
 #include "check.hpp"
 #include "numeric/random.hpp"
-#include "ranges.hpp"
 #include "restitution/own_choice.hpp"
 #include "stoss/errors.hpp"
 

@@ -10,8 +10,7 @@
 
 #include "check.hpp"
 #include "stoss/errors.hpp"
-#include "vibration/rod_modes.hpp"
-#include "vibration/rod_waves.hpp"
+#include "vibration/rod_vibrations.hpp"
 
 namespace stoss {
 namespace {

@@ -1,6 +1,6 @@
 // Collisions of vibrating rods by `impact`. In units of the left rod, with the speed scaled to v̂: lengths times λ/L,
 // momenta times λ/(mc), λ = v̂c/v.
-#include "vibration/rod_modes.hpp"
+#include "vibration/rod_vibrations.hpp"
 
 #include <algorithm>
 #include <cmath>

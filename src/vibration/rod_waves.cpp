@@ -1,4 +1,4 @@
-#include "vibration/rod_waves.hpp"
+#include "vibration/rod_vibrations.hpp"
 
 #include <algorithm>
 #include <cmath>

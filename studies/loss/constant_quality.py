@@ -1,4 +1,4 @@
-"""ε of a slow ball whose material has the same quality Q at all frequencies: the origin of src/quasistatic/quality.cpp.
+"""ε of a slow ball whose material has the same quality Q at all frequencies: the origin of src/quasistatic/lossy_motion.cpp.
 
 Hertz' contact is a row of independent springs at x, -a … a, of the elongation u = δ(t) − x²/R. Each has the memory of
 the material, its relaxation E(t) as a sum of Maxwell branches, and lets go when its force is zero: Ting's solution, on

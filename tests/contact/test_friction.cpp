@@ -10,7 +10,6 @@
 #include <random>
 #include <vector>
 
-#include "contact/landing.hpp"
 #include "support/contact_problem.hpp"
 
 namespace stoss {
@@ -161,7 +160,7 @@ TEST(Friction, OfALandingNodeUnderALoadOfFixedDirectionIsProportionalToItsPressu
     double held = 0.0;
     for (std::size_t j = 0; j < 3; ++j) held += problem.compliance[3 * i + j] * direction / ratio * before[j];
     problem.free.push_back(direction * moved + held);
-    problem.give.push_back(landing_give(ratio, gap[i], gap_before[i], force[i], before[i]));
+    problem.give.push_back(edge_compliance_along(ratio, gap[i], gap_before[i], force[i], before[i]));
     problem.limit.push_back(force[i]);
     problem.before.push_back(direction / ratio * before[i]);
   }
@@ -171,10 +170,10 @@ TEST(Friction, OfALandingNodeUnderALoadOfFixedDirectionIsProportionalToItsPressu
 }
 
 TEST(Friction, GivesNothingAtRigidAndAtOpenNodes) {
-  EXPECT_EQ(landing_give(1.3, 0.0, 0.0, 2.0, 1.0), 0.0);
-  EXPECT_EQ(landing_give(1.3, 0.2, 0.3, 0.0, 0.0), 0.0);
-  EXPECT_EQ(landing_give(1.3, 0.2, 0.3, 1.0, 1.0), 0.0);
-  EXPECT_EQ(landing_give(1.3, 0.2, 0.1, 2.0, 1.0), 0.0);
+  EXPECT_EQ(edge_compliance_along(1.3, 0.0, 0.0, 2.0, 1.0), 0.0);
+  EXPECT_EQ(edge_compliance_along(1.3, 0.2, 0.3, 0.0, 0.0), 0.0);
+  EXPECT_EQ(edge_compliance_along(1.3, 0.2, 0.3, 1.0, 1.0), 0.0);
+  EXPECT_EQ(edge_compliance_along(1.3, 0.2, 0.1, 2.0, 1.0), 0.0);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "contact/edge/varying_compliance.hpp"
+#include "contact/edge/compliance.hpp"
 
 namespace stoss {
 namespace varying_compliance {

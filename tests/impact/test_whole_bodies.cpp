@@ -1,5 +1,5 @@
 // Impacts in which the near side of one disk stands for it: the motion and the energies are those of the whole.
-#include "impact/whole_bodies.hpp"
+#include "impact/ending.hpp"
 
 #include <gtest/gtest.h>
 

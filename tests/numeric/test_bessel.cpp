@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "numeric/bessel.hpp"
-#include "numeric/bessel_j01.hpp"
 
 namespace stoss {
 using namespace numeric;

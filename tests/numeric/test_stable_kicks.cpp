@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "numeric/damped_oscillator.hpp"
-#include "numeric/stable_kicks.hpp"
 
 namespace stoss::numeric {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <random>
 
-#include "numeric/symmetric_products.hpp"
+#include "numeric/dense.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "quasistatic/lossy_motion.hpp"
-#include "quasistatic/quality.hpp"
 #include "stoss/encounter/document.hpp"
 #include "stoss/prediction/prediction.hpp"
 #include "stoss/restitution/restitution.hpp"

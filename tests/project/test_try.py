@@ -20,7 +20,7 @@ def name_of(file):
     ("include/stoss/bodies/plate.hpp", "try_bodies"),
     ("include/stoss/material.hpp", "try_"),
     ("tests/identities/cases.cpp", "try_identities"),
-    ("src/c/status.cpp", "try_c"),
+    ("src/c/interface.cpp", "try_c"),
     (str(ROOT / "src/numeric/random.cpp"), "try_numeric"),
 ])  # fmt: skip
 def test_a_file_has_the_tests_of_its_room(file, name):

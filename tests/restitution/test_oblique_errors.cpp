@@ -24,7 +24,7 @@ TEST(ObliqueErrors, NoToleranceHelpsWhereTheErrorIsLargerThanTheSlip) {
   result.sliding = 1e-3;
   result.runs.resize(3);
   result.sliding_after.error = 12e-3;
-  give_up({}, result);
+  mark_unconverged({}, result);
   EXPECT_NE(result.reason.find("asks for a higher cutoff"), std::string::npos) << result.reason;
   EXPECT_EQ(result.reason.find("from"), std::string::npos) << result.reason;
   EXPECT_NE(result.reason.find("no tolerance up to 0.5"), std::string::npos) << result.reason;

@@ -7,8 +7,7 @@
 
 #include "numeric/random.hpp"
 #include "support/rods_at_rest.hpp"
-#include "vibration/rod_modes.hpp"
-#include "vibration/rod_waves.hpp"
+#include "vibration/rod_vibrations.hpp"
 
 namespace stoss {
 namespace {

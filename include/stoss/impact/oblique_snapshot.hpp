@@ -23,7 +23,7 @@ struct ObliquePoint {
   double pressure = 0.0;  ///< share in the force, πRE = mc²/R
   double friction = 0.0;  ///< share in the friction, mc²/R
   double slip = 0.0;      ///< velocity of the first surface along y over the second, mean of the step before, c; 0 at
-                          ///< the first instant. Points that stick move a little where they land (landing_give)
+                          ///< the first instant. Points that stick move a little where they land (Friction)
   Grip grip = Grip::open;
 };
 

@@ -47,16 +47,14 @@ MediumSurface surface_of(const Lamina& plate, double poisson, bool along) {
 
 /// Greatest strain under a load (Body::strain), in orders of magnitude:
 ///
-///   layers    (0.47 + 1.5 (a/(a + h))²) p/E*   0.47 p/E* as near any contact; 2p/E* where the layer is much thinner
-///   than
-///                                             the contact and takes its pressure, at most 2p, as a whole. The pressure
-///                                             spreads with the depth z: that of a contact of a half-width a + z
-///   bending   F/Eh²                            of a plate (Timoshenko and Woinowsky-Krieger, Theory of Plates and
-///   Shells,
-///                                             section 19: stress under a load on a small circle)
-///             1.3 F √(ct/h)/Eh                 of a strip, on which the load has been for t (Euler's beam, 6M/Eh²)
-///   stretch   δ/2h                             of a plate that gives way by δ: it bends as linear theory has it up to
-///                                             some 0.2 h, and stretches beyond
+///   layers    (0.47 + 1.5 (a/(a + h))²) p/E*: 0.47 p/E* as near any contact; 2p/E* where the layer is much thinner
+///             than the contact and takes its pressure, at most 2p, as a whole. The pressure spreads with the depth z:
+///             that of a contact of a half-width a + z
+///   bending   F/Eh² of a plate (Timoshenko and Woinowsky-Krieger, Theory of Plates and Shells, section 19: stress
+///             under a load on a small circle); 1.3 F √(ct/h)/Eh of a strip, on which the load has been for t
+///             (Euler's beam, 6M/Eh²)
+///   stretch   δ/2h of a plate that gives way by δ: it bends as linear theory has it up to some 0.2 h, and stretches
+///             beyond
 double strain_under(const Given& given, const Load& load) {
   constexpr double squeezed = 1.5, stretched = 0.5, bent = 1.3;
   const bool ball = given.contour == Contour::ball;

@@ -10,8 +10,8 @@
 #include "bodies/sphere/legendre.hpp"
 #include "bodies/sphere/surface_points.hpp"
 #include "numeric/cosine_integral.hpp"
+#include "numeric/dense.hpp"
 #include "numeric/quadrature.hpp"
-#include "numeric/symmetric_products.hpp"
 
 namespace stoss::bodies::sphere {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "numeric/bessel_j01.hpp"
+#include "numeric/bessel.hpp"
 
 namespace stoss::bodies::sphere {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "numeric/bessel_j01.hpp"
+#include "numeric/bessel.hpp"
 #include "stoss/bodies/round.hpp"
 #include "stoss/body/body.hpp"
 

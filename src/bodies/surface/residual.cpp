@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "numeric/cosine_integral.hpp"
+#include "numeric/dense.hpp"
 #include "numeric/quadrature.hpp"
-#include "numeric/symmetric_products.hpp"
 #include "stoss/body/body.hpp"
 
 namespace stoss::bodies {

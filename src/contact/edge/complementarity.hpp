@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "contact/edge/factored_compliance.hpp"
+#include "contact/edge/compliance.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss {

@@ -180,7 +180,7 @@ bool EdgeContact::solve_edge(const std::vector<double>& q, double tolerance, std
 }
 
 /// As if each node carried about half of what makes it rigid, if it is not clear of the law by itself.
-void EdgeContact::begin_anew(const std::vector<double>& q) {
+void EdgeContact::reset_closures(const std::vector<double>& q) {
   for (std::size_t i = 0; i < q.size(); ++i) {
     closure_[i] = std::min(0.5, law_.free_closure(i, -q[i]));
   }
@@ -192,7 +192,7 @@ void EdgeContact::solve_generally(const std::vector<double>& q, double scale, st
   // From the last solution, whose far nodes may never have been asked for.
   for (std::size_t i = extent_; i < size; ++i) closure_[i] = law_.free_closure(i, -q[i]);
   const auto solved = [&] { return solve_all(*compliance_, law_, q, scale, poll_, closure_); };
-  if (!solved() && !(begin_anew(q), solved())) {
+  if (!solved() && !(reset_closures(q), solved())) {
     throw NotConverged(
         "contact: no forces at the nodes obey the law of contact (another resolution may do; please report the input)");
   }

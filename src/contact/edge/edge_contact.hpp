@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
+#include "contact/edge/compliance.hpp"
 #include "contact/edge/edge_law.hpp"
 #include "contact/edge/edge_newton.hpp"
-#include "contact/edge/factored_compliance.hpp"
 
 namespace stoss {
 
@@ -57,7 +57,7 @@ class EdgeContact {
                   std::vector<double>& displacement);
   void solve_generally(const std::vector<double>& q, double scale, std::vector<double>& force,
                        std::vector<double>& displacement);
-  void begin_anew(const std::vector<double>& q);
+  void reset_closures(const std::vector<double>& q);
   void solve_point(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement);
   void find_zone(std::size_t rigid);
   [[nodiscard]] double closeness(const std::vector<double>& q) const;  // what positions are measured by; 0: no force

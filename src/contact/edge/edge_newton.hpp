@@ -3,9 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "contact/edge/compliance.hpp"
 #include "contact/edge/edge_law.hpp"
-#include "contact/edge/factored_compliance.hpp"
-#include "contact/edge/varying_compliance.hpp"
 
 namespace stoss {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "contact/residual/kick_compliance.hpp"
+#include "contact/residual/residual_part.hpp"
 #include "numeric/dense.hpp"
 #include "numeric/kernels.hpp"
 #include "stoss/contact/grid.hpp"

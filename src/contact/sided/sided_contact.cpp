@@ -7,10 +7,48 @@
 #include <utility>
 
 #include "contact/edge/edge_newton.hpp"
-#include "contact/landing.hpp"
+#include "contact/friction.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+SidedCompliance sided_compliance(const std::vector<double>& normal_even, const std::vector<double>& along_even,
+                                 std::size_t points) {
+  const auto n = static_cast<Index>(points);
+  // Symmetric: rows are columns.
+  const Eigen::Map<const MatrixXd> s(normal_even.data(), 2 * n, 2 * n), a(along_even.data(), 2 * n, 2 * n);
+  const auto joined = [n](const MatrixXd& even, const MatrixXd& odd) {
+    MatrixXd both(2 * n, 2 * n);
+    both << even + odd, even - odd, even - odd, even + odd;
+    return both;
+  };
+  SidedCompliance result;
+  result.xx = joined(s.topLeftCorner(n, n), a.bottomRightCorner(n, n));
+  result.yy = joined(a.topLeftCorner(n, n), s.bottomRightCorner(n, n));
+  const MatrixXd of_odd = s.topRightCorner(n, n), of_even = a.bottomLeftCorner(n, n);  // friction; displacement x
+  result.xy.resize(2 * n, 2 * n);
+  result.xy << of_even + of_odd, of_even - of_odd, of_odd - of_even, -of_even - of_odd;
+  return result;
+}
+
+void to_block(const VectorXd& first, const VectorXd& second, double share, std::vector<double>& block) {
+  const Index n = first.size() / 2;
+  VectorXd::Map(block.data(), n) = share * (first.head(n) + first.tail(n));
+  VectorXd::Map(block.data() + n, n) = share * (second.head(n) - second.tail(n));
+}
+
+void add_block(const std::vector<double>& block, VectorXd& first, VectorXd& second) {
+  const Index n = first.size() / 2;
+  const Eigen::Map<const VectorXd> even(block.data(), n), odd(block.data() + n, n);
+  first.head(n) += even;
+  first.tail(n) += even;
+  second.head(n) += odd;
+  second.tail(n) -= odd;
+}
 
 void Anderson::forget() {
   tried_.clear();
@@ -168,7 +206,7 @@ void SidedContact::rub(const VectorXd& x, const VectorXd& y) {
   for (std::size_t i = 0; i < closure_.size(); ++i) {
     const Index k = at(i);
     if (new_closure_[i] > 0.0) new_gap_(k) = law_.gap_at(i, new_closure_[i]);
-    give_[i] = landing_give(ratio_, new_gap_(k), gap_(k), new_force_(k), force_(k));
+    give_[i] = edge_compliance_along(ratio_, new_gap_(k), gap_(k), new_force_(k), force_(k));
     limit_[i] = coefficient_ * new_force_(k);
     q_[i] = friction_(k);
   }

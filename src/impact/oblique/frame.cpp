@@ -12,7 +12,6 @@
 #include "check.hpp"
 #include "contact/along.hpp"
 #include "contact/unit_ratios.hpp"
-#include "ranges.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {

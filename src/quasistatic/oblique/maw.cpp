@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "check.hpp"
-#include "quasistatic/oblique/maw_path.hpp"
+#include "quasistatic/oblique/tangential_contact.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::quasistatic {

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "check.hpp"
-#include "ranges.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/table/adaptive.hpp"
 #include "stoss/table/adaptive_pairs.hpp"

@@ -12,7 +12,6 @@
 #include "contact/unit_ratios.hpp"
 #include "impact/oblique/frame.hpp"
 #include "restitution/oblique_errors.hpp"
-#include "restitution/oblique_motion.hpp"
 #include "restitution/ordered_jobs.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/oblique.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "check.hpp"
-#include "numeric/cubic_grid.hpp"
+#include "numeric/interpolation.hpp"
 #include "stoss/errors.hpp"
 #include "table/arguments.hpp"
 #include "table/axes.hpp"

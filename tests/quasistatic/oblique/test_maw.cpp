@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "quasistatic/oblique/maw_path.hpp"
+#include "quasistatic/oblique/tangential_contact.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/quasistatic/oblique/maw.hpp"
 #include "stoss/quasistatic/oblique/mindlin.hpp"

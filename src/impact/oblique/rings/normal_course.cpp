@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "impact/oblique/points.hpp"
+#include "impact/oblique/film.hpp"
 
 namespace stoss {
 

@@ -8,14 +8,13 @@
 
 #include "contact/demands.hpp"
 #include "contact/edge/edge_law.hpp"
+#include "contact/friction.hpp"
 #include "contact/hard_contact.hpp"
-#include "contact/landing.hpp"
 #include "contact/sided/sided_contact.hpp"
 #include "contact/touch.hpp"
+#include "impact/ending.hpp"
 #include "impact/oblique/parity_block.hpp"
 #include "impact/recommended.hpp"
-#include "impact/rest.hpp"
-#include "impact/whole_bodies.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
@@ -138,7 +137,7 @@ class OutwardCollision {
     if (!pushes && impact_.steps.empty()) return;
     OutwardStep now{nodes_.force(), nodes_.friction(), slip, VectorXd::Zero(rings_)};
     for (Index i = 0; i < rings_; ++i) {
-      now.give(i) = landing_give(1.0, nodes_.gap()(i), gap_(i), now.force(i), force_(i));
+      now.give(i) = edge_compliance_along(1.0, nodes_.gap()(i), gap_(i), now.force(i), force_(i));
     }
     impact_.steps.push_back(std::move(now));
     if (pushes) steps_with_force_ = impact_.steps.size();

@@ -14,7 +14,7 @@ struct OutwardStep {
   Eigen::VectorXd force;     ///< f of each
   Eigen::VectorXd friction;  ///< q, outward on what meets the first body
   Eigen::VectorXd slip;      ///< how far each has slid outward in the step
-  Eigen::VectorXd give;      ///< D of each, where both directions are equally soft (landing_give)
+  Eigen::VectorXd give;      ///< D of each, where both directions are equally soft (edge_compliance_along)
 };
 
 /// A central impact of balls whose surfaces rub each other as pressure moves them inward, then lets them go.

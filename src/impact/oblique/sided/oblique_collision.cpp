@@ -6,7 +6,7 @@
 #include "contact/hard_contact.hpp"
 #include "contact/touch.hpp"
 #include "contact/unit_ratios.hpp"
-#include "impact/oblique/points.hpp"
+#include "impact/oblique/film.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {

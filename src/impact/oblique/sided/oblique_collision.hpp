@@ -9,10 +9,10 @@
 #include "contact/edge/edge_law.hpp"
 #include "contact/sided/sided_contact.hpp"
 #include "impact/contact_history.hpp"
+#include "impact/ending.hpp"
 #include "impact/oblique/frame.hpp"
 #include "impact/oblique/parity_block.hpp"
 #include "impact/oblique/sided/rigid_motion.hpp"
-#include "impact/rest.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/impact/oblique.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "contact/friction.hpp"
-#include "impact/oblique/rings/ring_friction.hpp"
+#include "impact/oblique/rings/ring_slide.hpp"
 
 namespace stoss {
 namespace ring_frictions {

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <exception>
+#include <optional>
 #include <string_view>
 
+#include "stoss/encounter/encounter.hpp"
+#include "stoss/encounter/laws.hpp"
 #include "stoss/poll.hpp"
 #include "stoss/stoss.h"
+#include "stoss/table/restitution_function.hpp"
 
 namespace stoss::c {
 
@@ -32,3 +36,22 @@ void require_given(const void* pointer, std::string_view name);
 [[nodiscard]] int threads_of(const stoss_control* control);
 
 }  // namespace stoss::c
+
+// What the handles of the C interface hold.
+
+struct stoss_body {
+  stoss::Solid value;
+  bool rigid = false;
+  stoss::BodyMaker maker;
+};
+
+struct stoss_contact {
+  stoss::RefinableContact contact;
+  stoss_body first;
+  std::optional<stoss_body> second{};  ///< otherwise a wall
+  stoss::Encounter encounter{};        ///< with its units and vibration; without any where bodies made it
+};
+
+struct stoss_function {
+  stoss::RestitutionFunction function;
+};

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "stoss/restitution/oblique.hpp"
 #include "stoss/restitution/restitution.hpp"
 
 namespace stoss {
@@ -10,8 +11,8 @@ namespace stoss {
 /// each of their alternatives makes to the finest impact. Whether the result has converged is a matter of its runs
 /// alone.
 /// @param stretch of the contact, as RefinableContact::at
-void add_doubts(const RefinableContact& contact, double speed, double stretch, const RestitutionOptions& options,
-                Restitution& result);
+void add_input_uncertainty(const RefinableContact& contact, double speed, double stretch,
+                           const RestitutionOptions& options, Restitution& result);
 
 /// Of which motion the alternatives of a body change something.
 enum class Affects { both, along };
@@ -23,5 +24,12 @@ enum class Affects { both, along };
 /// unit of length: the same step, and the same motion and gap before.
 [[nodiscard]] ImpactOptions options_of(const Contact& other, const Contact& contact, const Impact& impact,
                                        const Poll& poll);
+
+/// Adds to the errors of rules what is not known of bodies of which only a point is (Knowledge), as
+/// add_input_uncertainty: what each alternative changes in their finest runs, and what the motions that are taken to be
+/// apart may do to each other, twice the velocity along the surface that the normal impulse gives.
+/// @param stretch of the contact, as RefinableContact::at
+void add_oblique_input_uncertainty(const RefinableContact& contact, double speed, double stretch,
+                                   const ObliqueOptions& options, std::vector<ObliqueRestitution>& results);
 
 }  // namespace stoss

@@ -1,4 +1,4 @@
-#include "c/status.hpp"
+#include "c/interface.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,33 @@
-#include "numeric/cubic_grid.hpp"
+#include "numeric/interpolation.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "numeric/monotone_cubic.hpp"
-#include "numeric/parabolic_cubic.hpp"
-
 namespace stoss::numeric {
+
+MonotoneCubic::MonotoneCubic(std::vector<double> at, std::vector<double> of) : x(std::move(at)), y(std::move(of)) {
+  const auto secant = [this](std::size_t k) { return (y[k + 1] - y[k]) / (x[k + 1] - x[k]); };
+  slope.push_back(secant(0));
+  for (std::size_t k = 1; k + 1 < x.size(); ++k) {
+    const double left = secant(k - 1), right = secant(k), before = x[k] - x[k - 1], after = x[k + 1] - x[k];
+    const double first = 2.0 * after + before, second = after + 2.0 * before;
+    slope.push_back(left * right > 0.0 ? (first + second) / (first / left + second / right) : 0.0);
+  }
+  slope.push_back(secant(x.size() - 2));
+}
+
+std::vector<double> parabolic_slopes(const std::vector<double>& x, const std::vector<double>& y, bool even) {
+  const std::size_t last = x.size() - 1;
+  const auto width = [&](std::size_t k) { return x[k + 1] - x[k]; };
+  const auto secant = [&](std::size_t k) { return (y[k + 1] - y[k]) / width(k); };
+  // How the secant of an interval changes to the next, per unit of the length of both.
+  const auto bend = [&](std::size_t k) { return (secant(k + 1) - secant(k)) / (width(k) + width(k + 1)); };
+  std::vector<double> slope;
+  slope.push_back(even && x[0] == 0.0 ? 0.0 : secant(0) - width(0) * bend(0));
+  for (std::size_t k = 1; k < last; ++k) slope.push_back(secant(k - 1) + width(k - 1) * bend(k - 1));
+  slope.push_back(secant(last - 1) + width(last - 1) * bend(last - 2));
+  return slope;
+}
 
 std::vector<double> slopes(Slopes how, const std::vector<double>& x, const std::vector<double>& y) {
   if (how == Slopes::monotone || x.size() < 3) return MonotoneCubic(x, y).slope;
