@@ -28,7 +28,7 @@ ObliqueCase case_of(const Question& asked, const Meeting& meeting) {
   return at_angle(asked, meeting, asked.number("angle"));
 }
 
-ObliqueCurveOptions options(const Question& asked) {
+ObliqueCurveOptions oblique_options(const Question& asked) {
   return {.each = {.tolerance = asked.number("tolerance", ObliqueOptions{}.tolerance), .poll = say_alive},
           .threads = 1};
 }
@@ -43,7 +43,7 @@ val motion(const Question& asked) {
 /// The collision rule.
 val oblique(const Question& asked) {
   const auto meeting = asked.meeting();
-  const auto result = oblique_curve(meeting->contact, {case_of(asked, *meeting)}, options(asked)).front();
+  const auto result = oblique_curve(meeting->contact, {case_of(asked, *meeting)}, oblique_options(asked)).front();
   val quantities = val::object();
   if (!result.runs.empty()) {
     add(quantities, *meeting, impact_quantities(), result.finest.normal);
@@ -61,7 +61,7 @@ val oblique_angles(const Question& asked) {
   const std::vector<double> angles = numbers(asked.given["angles"]);
   std::vector<ObliqueCase> cases;
   for (const double angle : angles) cases.push_back(at_angle(asked, *meeting, angle));
-  oblique_curve(meeting->contact, cases, options(asked), [&](std::size_t i, const ObliqueRestitution& result) {
+  oblique_curve(meeting->contact, cases, oblique_options(asked), [&](std::size_t i, const ObliqueRestitution& result) {
     asked.deliver(object({{"angle", angles[i]},
                           {"restitution", result.restitution.value},
                           {"error", result.restitution.error},

@@ -61,7 +61,7 @@ val header(const Question& asked) {
       meeting->contact, own_speed(meeting->encounter, slowest), own_speed(meeting->encounter, fastest),
       {.error = error, .beyond = Beyond::clamp, .threads = 1, .poll = say_alive});
   TableLabel label{.unit = meeting->unit_name(Dimension::speed), .scale = meeting->unit(Dimension::speed)};
-  label.provenance = {"stoss " + std::string(version()) + ": table", name(meeting->contact.at(0)),
+  label.provenance = {"stoss " + std::string(stoss::version()) + ": table", name(meeting->contact.at(0)),
                       "speed[" + label.unit + "]: " + text(slowest) + ":" + text(fastest), "error: " + text(error)};
   return val(c_header(function, label));
 }
