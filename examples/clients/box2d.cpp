@@ -1,7 +1,8 @@
 // A disk falls on the floor in Box2D 2.4 and leaves with the coefficient of restitution of its speed.
 //
-//   stoss table --body disk --poisson 0.4 --young 1e6 --density 1000 --radius 0.1 --speed 0.01:10 --format c -o
-//   restitution.h c++ box2d.cpp -lbox2d && ./a.out
+//   stoss table --body disk --poisson 0.4 --young 1e6 --density 1000 --radius 0.1 --speed 0.01:10 --format c
+//       -o restitution.h
+//   c++ box2d.cpp -lbox2d && ./a.out
 //
 // Copy Restitution::PreSolve. Two things of Box2D matter:
 // - Below a threshold, 1 m/s unless it is set, nothing bounces: SetRestitutionThreshold(0).

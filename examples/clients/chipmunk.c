@@ -1,8 +1,9 @@
 /*
  * A disk falls on the floor in Chipmunk 7 and leaves with the coefficient of restitution of its speed.
  *
- *   stoss table --body disk --poisson 0.4 --young 1e6 --density 1000 --radius 0.1 --speed 0.01:10 --format c -o
- * restitution.h cc chipmunk.c -lchipmunk -lm && ./a.out
+ *   stoss table --body disk --poisson 0.4 --young 1e6 --density 1000 --radius 0.1 --speed 0.01:10 --format c
+ *       -o restitution.h
+ *   cc chipmunk.c -lchipmunk -lm && ./a.out
  *
  * Copy speed_of_approach, before_solve and how `drop` names it. Chipmunk multiplies the relative velocity that bodies
  * have in preSolve, before gravity acts in this step. It has no threshold, and what pushes bodies apart does not enter
