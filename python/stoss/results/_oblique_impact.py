@@ -211,14 +211,15 @@ def oblique_impact(
         "speed": speed, "tangential": tangential, "angle": angle, "spin": spin, "second_spin": second_spin,
         "friction": friction,
     }  # fmt: skip
-    (motion, *_), shape = choose_motion(chosen, 1, **given)
+    cases, shape = choose_motion(chosen, 1, **given)
     if shape:
         name, several = next((each, np.size(value)) for each, value in given.items() if np.shape(value))
         raise InvalidInput.out_of_range(name, f"{several} of them", "one impact", "use stoss.oblique for several")
-    highest = choose_cutoff(cutoff, chosen, met, float(motion[0]))
+    motion = tuple(cases[0].tolist())
+    highest = choose_cutoff(cutoff, chosen, met, motion[0])
     count = None if nodes is None else integer("nodes", nodes)
     resolution = optional_number("step", step), count, optional_number("half_width", half_width)
     with waiting(boolean("progress", progress), "oblique_impact"):
-        result = ObliqueImpact._made(chosen, met, tuple(motion.tolist()), highest, resolution, state)
+        result = ObliqueImpact._made(chosen, met, motion, highest, resolution, state)
     warn_of_materials(result, 2)
     return result
