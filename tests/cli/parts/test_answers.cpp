@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "answers.hpp"
@@ -49,6 +50,16 @@ TEST(Answers, OfRestitutionAreThoseOfTheLibrary) {
       EXPECT_EQ(record.at("runs").at(i), Json(to_json(run_quantities(), std::vector{result.runs[i]}).front()));
     }
     EXPECT_EQ(record.at("ledger"), Json(to_json(ledger_quantities(), std::vector{result.finest.energy}).front()));
+  }
+}
+
+TEST(Answers, OfRestitutionAreToTheErrorThatWasAskedFor) {
+  for (const auto& [words, tolerance, absolute] : {std::tuple{"--tolerance 1e-5 --absolute 1e-4", 1e-5, 1e-4},
+                                                   std::tuple{"--tolerance 0.03 --absolute 0", 0.03, 0.0}}) {
+    const auto document = answer("restitution", ball, std::string(words) + " --speed 0.01");
+    const Restitution result =
+        best_restitution(refinable(ball.encounter()), 0.01, {.tolerance = tolerance, .absolute = absolute});
+    expect_all(document, 0, restitution_quantities(), result, ball.encounter());
   }
 }
 
