@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import brief, instance, refusal
+from stoss._errors import InvalidInput
 from stoss.bodies._bodies import PARTNERS, Body
 from stoss.bodies._material import Material, materials
 from stoss.bodies._modal import ModalBody
@@ -46,7 +47,10 @@ def make(name: str, given: Specification) -> Any:
         text = json.dumps(given, default=_plain, allow_nan=False)
     except (TypeError, ValueError, RecursionError):
         raise refusal(name, given, "finite numbers, words and lists of them") from None
-    words = _of_material(json.loads(_core.participant(name, text)))
+    try:
+        words = _of_material(json.loads(_core.participant(name, text)))
+    except InvalidInput as error:  # of a name that no material has the core says no more than that
+        raise error if error.name.startswith(name) else error.renamed(f"{name}: {error.name}") from None
     if "layers" in words:
         words["layers"] = [Layer(**_of_material(each)) for each in words["layers"]]
     return CLASSES[words.pop("kind")](**words)
