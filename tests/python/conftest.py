@@ -89,12 +89,6 @@ def hit():
     return stoss.impact(poisson=0.33, speed=0.1, cutoff=12)
 
 
-@pytest.fixture(scope="session")
-def curve():
-    """Several Poisson's ratios and speeds, at little cost."""
-    return stoss.restitution(poisson=[[0.2], [0.7]], speed=[0.05, 0.1, 0.3], tolerance=1e-2)
-
-
 @pytest.fixture
 def closed():
     """Pictures are closed after the test, which has left matplotlib's settings as they were."""

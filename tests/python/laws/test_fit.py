@@ -1,5 +1,6 @@
 """`stoss.fit` and `stoss fit`: what they find, print, write and refuse."""
 
+import functools
 import importlib.util
 import os
 import subprocess
@@ -11,9 +12,20 @@ import numpy as np
 import pytest
 
 import stoss
+from stoss.laws._names import PROGRAMS
 
 BALL = stoss.Sphere(radius=5e-3, material=stoss.materials["glass"])
 RANGE = (0.01, 0.1)
+
+
+@functools.cache
+def fitted(law):
+    return stoss.fit(BALL, against="same", law=law, speed=RANGE)
+
+
+def lines_of(law, program):
+    """What is written for a program of a law that is fitted once."""
+    return PROGRAMS[program].laws[law].write(fitted(law).fitted)
 
 
 def test_misfits_are_those_of_the_law_against_stoss():
@@ -21,13 +33,14 @@ def test_misfits_are_those_of_the_law_against_stoss():
     curve = stoss.restitution(BALL, against="same", speed=fit.speed, tolerance=3e-3)
     assert fit.restitution == pytest.approx(curve.restitution, abs=1e-12)
     assert fit.contact_time == pytest.approx(curve.contact_time_si)
-    along = fit.sliding * 0.2 * fit.speed[:, None]
-    angled = stoss.oblique(BALL, against="same", speed=fit.speed[:, None], tangential=along, friction=0.2)
+    along = fit.sliding * 0.2 * fit.speed[4]
+    angled = stoss.oblique(BALL, against="same", speed=fit.speed[4], tangential=along, friction=0.2)
+    assert fit.tangential_restitution[4] == pytest.approx(angled.tangential_restitution, abs=1e-9)
     deviations = {
         "restitution": fit.fitted.restitution(fit.speed) - curve.restitution,
         "contact_time": fit.fitted.contact_time(fit.speed) / curve.contact_time_si - 1,
         "tangential_restitution":
-            fit.fitted.tangential_restitution(fit.speed, fit.sliding) - angled.tangential_restitution,
+            fit.fitted.tangential_restitution(fit.speed, fit.sliding) - fit.tangential_restitution,
     }  # fmt: skip
     assert list(fit.misfit) == list(deviations)
     for name, each in deviations.items():
@@ -36,7 +49,7 @@ def test_misfits_are_those_of_the_law_against_stoss():
 
 @pytest.mark.parametrize("law", ["linear", "viscoelastic", "hunt-crossley", "thornton", "walton"])
 def test_no_neighbouring_constant_is_nearer(law):
-    fit = stoss.fit(BALL, against="same", law=law, speed=RANGE)
+    fit = fitted(law)
     for name in ("damping", "yield_speed", "e"):
         if hasattr(fit.fitted, name):
             for factor in (0.99, 1.01) if name != "e" else (0.9999, 1.0001):
@@ -111,8 +124,8 @@ def test_the_table_of_the_page_is_made_so():
     + [("linear", "chrono"), ("viscoelastic", "chrono"), ("mujoco", "mujoco"), ("table", "aspherix")],
 )
 def test_every_program_has_lines(law, program):
-    fit = stoss.fit(BALL, against="same", law=law, speed=RANGE, program=program)
-    assert fit.lines and all("nan" not in line for line in fit.lines)
+    lines = lines_of(law, program)
+    assert lines and all("nan" not in line for line in lines)
 
 
 @pytest.mark.parametrize(
@@ -129,13 +142,11 @@ def test_friction_is_in_the_lines(law, program, line):
 
 def test_constants_per_mass_are_those_of_the_force():
     """Chrono and MercuryDPM, which do not run here: their numbers in the formulas of their sources."""
-    fit = stoss.fit(BALL, against="same", law="viscoelastic", speed=RANGE, program="chrono")
-    its, text, x, u = fit.fitted, "\n".join(fit.lines), 1e-6, 0.02
+    its, text, x, u = fitted("viscoelastic").fitted, "\n".join(lines_of("viscoelastic", "chrono")), 1e-6, 0.02
     kn, gn = (float(text.split(f"Set{name}(")[1].split(")")[0]) for name in ("Kn", "Gn"))
     force = its.pair.radius * np.sqrt(x) * (kn * x + its.pair.mass * gn * u)
     assert force == pytest.approx(its.stiffness * x**1.5 + its.damping * x**0.5 * u)
-    fit = stoss.fit(BALL, against="same", law="tsuji", speed=RANGE, program="mercurydpm")
-    its, text = fit.fitted, "\n".join(fit.lines)
+    its, text = fitted("tsuji").fitted, "\n".join(lines_of("tsuji", "mercurydpm"))
     names = "EffectiveElasticModulus", "Dissipation"
     modulus, alpha = (float(text.split(f"set{name}(")[1].split(")")[0]) for name in names)
     stiffness = 4 / 3 * modulus * np.sqrt(its.pair.radius * x)
@@ -147,10 +158,6 @@ def test_constants_per_mass_are_those_of_the_force():
     "changed, said",
     [
         ({"law": "hooke"}, "law: got 'hooke', allowed 'linear', "),
-        ({"speed": (1, 0.1)}, "speed: got (1, 0.1), allowed (slowest, fastest)"),
-        ({"speed": 0.1}, "speed: got 0.1, allowed (slowest, fastest)"),
-        ({"speed": (0.1, 1e5)}, "allowed 5.29151e-05 to 5291.5 m/s (speed"),
-        ({"friction": -1}, "friction: got -1, allowed 0 to 5"),
         ({"program": "edem"}, "program: got 'edem', allowed 'lammps', "),
         ({"law": "thornton", "program": "lammps"}, "law: got thornton for lammps, allowed linear, tsuji, viscoelastic"),
         ({"program": "yade"}, "allowed a stoss.Sphere for yade"),
@@ -208,10 +215,8 @@ class TestCommand:
         "words, code, said",
         [
             ("--body sphere --poisson 0.3 --law tsuji --speed 0.1", 3, "speed: got '0.1', allowed LOW:HIGH"),
-            ("--body sphere --poisson 0.3 --law tsuji --speed 0.2:0.1", 3, "allowed a lower end below the higher one"),
             ("--body disk --poisson 0.3 --law tsuji --speed 0.1:0.2", 3, "body: got disk, allowed sphere"),
             ("--body sphere --poisson 0.3 --law table --speed 0.1:0.2 --program yade", 3, "for yade, allowed linear"),
-            ("--body sphere --poisson 0.3 --law tsuji --speed 0.1:0.2 --friction 9", 3, "friction: got 9,"),
             ("--body sphere --poisson 0.3 --law tsuij --speed 0.1:0.2", 2, "tsuij"),
         ],
     )

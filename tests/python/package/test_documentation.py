@@ -1,10 +1,16 @@
-"""help() explains every parameter of the public functions, and shared words are not said twice."""
+"""help() explains every parameter of the public functions, shared words are not said twice, and the examples in the
+docstrings run and give what they say."""
 
+import doctest
+import importlib
 import inspect
+import pkgutil
 import re
 
+import matplotlib
+import matplotlib.pyplot as plt
+import numpy as np
 import pytest
-
 import stoss
 import stoss.plot
 from stoss import _documentation
@@ -61,23 +67,28 @@ def test_types_come_from_annotations_and_own_words_come_first():
     )
 
 
-def test_fields_have_the_words_of_their_base():
-    class Base:
-        """A base.
+MODULES = ["stoss"] + [
+    info.name for info in pkgutil.walk_packages(stoss.__path__, "stoss.") if "_core" not in info.name
+]
 
-        Attributes:
-            law: Of its own.
-        """
 
-        law: "str"
+@pytest.mark.parametrize("name", MODULES)
+def test_examples(name, tmp_path, monkeypatch):
+    matplotlib.use("Agg")
+    monkeypatch.chdir(tmp_path)
+    if name.startswith("stoss.modal."):
+        pytest.importorskip("dolfinx")  # the rest of the package does without
+    module = importlib.import_module(name)
+    names = {"stoss": stoss, "np": np}
+    found = doctest.testmod(module, extraglobs=names, optionflags=doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS)
+    plt.close("all")
+    assert found.failed == 0
 
-    class Made(Base):
-        """It is made."""
 
-        law: "str"
-        restitution: "Number"  # noqa: F821
-        restitution_error: "Number"  # noqa: F821
-
-    _documentation.with_fields(Made)
-    assert "    law (str): Of its own.\n" in Made.__doc__
-    assert "    restitution, restitution_error (float or ndarray): ε = " in Made.__doc__
+@pytest.mark.parametrize("module", ["stoss", "stoss.quasistatic", "stoss.plot"])
+def test_every_public_function_has_an_example(module):
+    shown = importlib.import_module(module)
+    for name in shown.__all__:
+        thing = getattr(shown, name)
+        if callable(thing) and getattr(thing, "__module__", "").startswith("stoss") and name[0].islower():
+            assert ">>>" in (thing.__doc__ or ""), name

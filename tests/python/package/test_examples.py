@@ -35,6 +35,8 @@ FILES = {
     "16_coin": ["coin.png"],
     "17_ring": ["ring.png"],
 }
+
+
 def load(name):
     spec = importlib.util.spec_from_file_location(name[3:], EXAMPLES / f"{name}.py")
     module = importlib.util.module_from_spec(spec)
@@ -102,22 +104,6 @@ def test_first_curve(example):
     assert len(table) == 86 and float(table[42]["restitution"]) == direct.restitution[6]
 
 
-def test_modes(example):
-    run = example("02_modes")
-    rows = run.table(5)
-    assert len(rows) == 6
-    modes = stoss.modes(poisson=0.33, cutoff=30)
-    lowest = np.argsort(modes.omega)[:6]
-    for row, k in zip(rows, lowest):
-        expected = [modes.order[k], modes.index[k], modes.omega[k], modes.radial[k], modes.tangential[k]]
-        np.testing.assert_allclose(row, expected, atol=6e-7)
-    ((_, summed, count, exact),) = run.numbers("compliance of order 2")
-    two = modes.order == 2
-    assert count == two.sum() and exact == pytest.approx((4 - 0.67) / 3, abs=6e-5)
-    assert summed == pytest.approx(((modes.radial / modes.omega)[two] ** 2).sum(), abs=6e-5)
-    assert len(run.csv("modes.csv")) == len(modes) == 421
-
-
 def test_anatomy(example):
     run = example("03_anatomy")
     hit = stoss.impact(poisson=0.33, speed=0.1)
@@ -142,34 +128,7 @@ def test_anatomy(example):
     assert len(run.csv("anatomy.csv")) == len(hit.trajectory())
 
 
-def test_material(example):
-    run = example("04_material")
-    rows = run.table(5)
-    assert len(rows) == 8
-    for plane, part in (("stress", rows[:4]), ("strain", rows[4:])):
-        steel = stoss.Disk(radius=0.01, material=stoss.materials["bearing steel"], loss_time=0, plane=plane)
-        direct = stoss.restitution(steel, speed=np.geomspace(0.01, 1, 37)[::12])
-        speed, value, error, time, force = part.T
-        np.testing.assert_allclose(speed, np.geomspace(0.01, 1, 4), rtol=1e-3)
-        np.testing.assert_allclose(value, direct.restitution, atol=6e-7, rtol=0)
-        np.testing.assert_allclose(error, direct.restitution_error, atol=6e-7, rtol=0)
-        np.testing.assert_allclose(time, direct.contact_time * 0.01 / steel.scales.speed * 1e6, atol=6e-4, rtol=0)
-        np.testing.assert_allclose(force, direct.max_force * steel.scales.force / 1000, atol=6e-4, rtol=0)
-        assert f"c = {np.sqrt(2.1e11 / 7810 / (1 if plane == 'stress' else 0.91)):.0f} m/s" in run.text
-        assert len(run.csv(f"steel_plane_{plane}.csv")) == 37
-
-
 RUBBER = stoss.Disk(radius=0.01, material=stoss.materials["rubber"], loss_time=0)
-
-
-def test_event_driven_prints_what_the_wall_gives_at_half_the_speed(example):
-    rows = example("05_event_driven").numbers("speed of approach")
-    assert len(rows) == 4
-    for approach, value, error in rows:
-        # Two disks that approach at v are each a disk that meets a wall at v/2.
-        direct = stoss.restitution(RUBBER, speed=approach / 2, tolerance=1e-4)
-        assert abs(value - direct.restitution) <= error + 1e-6
-        assert 1e-6 < error < 1e-3
 
 
 def test_gas(example):
@@ -186,18 +145,6 @@ def test_gas(example):
     # Elastic disks keep their energy; sticking ones lose what is relative.
     assert cool(lambda v: 1.0, 200, 5.0)[1] == pytest.approx(1.0, abs=1e-12)
     assert cool(lambda v: 0.0, 1, 5.0, count=2)[1][-1] == pytest.approx(0.0, abs=1e-12)
-
-
-def test_two_disks(example):
-    rows = example("06_two_disks").numbers("1 :")
-    assert len(rows) == 7
-    steel = stoss.materials["bearing steel"]
-    small = stoss.Disk(radius=5e-3, material=steel, loss_time=0)
-    for _, ratio, value, error, *lost in (rows[0], rows[3]):
-        direct = stoss.restitution(small, against=stoss.Disk(radius=5e-3 * ratio, material=steel, loss_time=0), speed=1.0)
-        assert abs(value - direct.restitution) < 1e-6 and abs(error - direct.restitution_error) < 1e-6
-        assert lost == pytest.approx([direct.lost_to_first, direct.lost_to_second], abs=1e-6)
-    assert rows[0][4] == rows[0][5] and rows[-1][4] < 0.01 * rows[-1][5]
 
 
 def test_vibrating_ball(example):
@@ -264,3 +211,18 @@ def test_how_thick(example):
         assert time[k] == pytest.approx(1e6 * direct.contact_time_si, abs=1e-2)
     ((_, _, *found, true),) = run.numbers("a pane with restitution")
     assert found == pytest.approx([true, true], abs=0.05)
+
+
+def test_balls_of_the_example_are_those_of_the_package(example):
+    rows = example("07_balls").csv("balls.csv")
+    assert len(rows) == 14  # steel up to its yield speed, 0.13 m/s
+    for row in rows:
+        speed = row["speed_m_s"]
+        ball = stoss.Sphere(radius=0.01, material=stoss.materials[row["material"]], loss_time=0)
+        direct = stoss.restitution(ball, speed=float(speed))
+        assert direct.lost_fraction == pytest.approx(float(row["lost_fraction"]), rel=1e-8)
+        # Hertz: the pressure that goes with a force and the energy that made it.
+        stiff = ball.young / (1 - ball.poisson**2)
+        hertz = stiff * 2 / np.pi * (15 / 16 * 4 * np.pi / 3 * ball.density * float(speed) ** 2 / stiff) ** 0.2
+        if direct.speed < 5e-4:  # a faster ball presses deeper, where a whole ball is stiffer than Hertz's
+            assert float(row["pressure_Pa"]) == pytest.approx(hertz, rel=0.01)

@@ -46,13 +46,6 @@ def test_dictionaries_say_so(doubtful, several):
     assert "Infinity" not in json.dumps([doubtful.to_dict(), several.to_dict()], allow_nan=False)
 
 
-def test_si_values_say_so(steel):
-    result = stoss.restitution(steel, speed=5.0, tolerance=0.1)
-    result = dataclasses.replace(result, contact_time_error=np.inf)
-    assert result.contact_time_si_error == np.inf
-    assert result.to_dict()["contact_time_si_error"] == "unknown"
-
-
 def test_pictures_have_no_bar_there(several, closed):
     axes = several.plot()
     container = axes.containers[0]

@@ -1,11 +1,13 @@
-"""The package writes the files that it was told to, and no other: not for a moment, nowhere."""
+"""The package writes the files that it was told to, and no other: not for a moment, nowhere. In a folder that has been
+removed it writes none: OSError at once."""
 
+import os
 import re
+import resource
 import sys
 from pathlib import Path
 
 import pytest
-
 import stoss
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "support"))
@@ -75,3 +77,40 @@ def test_a_merge_writes_one_file(run):
     pytest.importorskip("netCDF4")
     names = run(f"{GRID}; stoss.sweep(grid, store='store'); stoss.merge('store', 'out.nc')")
     assert {name for name in names if not name.startswith("store")} == {"out.nc"}
+
+
+MADE = """
+import os, stoss
+ball = stoss.Sphere(poisson=0.3)
+curve = stoss.restitution(ball, speed=[0.01, 0.1], tolerance=0.1)
+function = stoss.restitution_function(ball, speed=(0.05, 0.1), error=0.05)
+grid = {"bodies": {"kind": "sphere", "poisson": 0.3}, "speed": 0.1, "tolerance": 0.1}
+swept, store = stoss.sweep(grid, store="store"), os.path.abspath("store")
+body = stoss.ModalBody.from_dict({
+    "format": "stoss modal body 1", "name": "ball", "mass": 0.5, "curvature": [10.0, 8.0], "young": 1e11,
+    "poisson": 0.3, "density": 8000.0, "compliance": -2e-12, "complete_to": 30000.0,
+    "modes": {"frequency": [20000.0, 30000.0], "displacement": [0.1, 0.2]}})
+os.mkdir("gone"); os.chdir("gone"); os.rmdir("../gone")
+def writes(call):
+    try:
+        call()
+    except OSError as error:
+        print(error.errno == 2)
+    except stoss.InvalidInput as error:
+        print("InvalidInput", error)
+    else:
+        print("written")
+"""
+WAYS = [
+    'curve.to_csv("x.csv")', 'function.to_c("x.h")', 'function.to_csv("x.csv")', 'swept.to_netcdf("x.nc")', 'body.save("x.json")',
+    'body.save("x.npz")', 'stoss.sweep(grid, store="s")', 'stoss.merge(store, "x.nc")',
+]  # fmt: skip
+
+
+def test_no_writer_tries_for_ever(interpreter, tmp_path):
+    pytest.importorskip("netCDF4")
+    code = MADE + "".join(f"writes(lambda: {way})\n" for way in WAYS)
+    limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (50, 50))  # noqa: E731
+    done = interpreter.run(code, cwd=tmp_path, preexec_fn=limit)
+    assert (done.returncode, done.stdout) == (0, "True\n" * len(WAYS)), done.stdout + done.stderr
+    assert os.listdir(tmp_path) == ["store"]

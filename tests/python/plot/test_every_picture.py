@@ -81,7 +81,7 @@ WRONG = {
 
 
 def words(figure):
-    for axes in [each for axes in figure.axes for each in (axes, *axes.child_axes)]:
+    for axes in [each for whole in figure.axes for each in (whole, *whole.child_axes)]:
         yield from (axes.get_xlabel(), axes.get_ylabel(), axes.get_title())
         yield from (text.get_text() for text in axes.texts)
         yield from axes.get_legend_handles_labels()[1]

@@ -5,7 +5,6 @@ import re
 import numpy as np
 import pytest
 import stoss
-from matplotlib import pyplot
 from matplotlib.collections import LineCollection, QuadMesh
 
 

@@ -6,7 +6,6 @@ import sys
 import numpy as np
 import pytest
 import stoss
-from matplotlib import pyplot
 from matplotlib.collections import LineCollection
 
 

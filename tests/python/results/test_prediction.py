@@ -59,24 +59,11 @@ def test_indices_select(grains):
     assert fast[0].influences == grains.influences[1, 0]
 
 
-def test_no_speed_gives_nothing():
-    empty = stoss.predict(BALL, against=BLOCK, speed=[])
-    assert len(empty) == 0 and empty.restitution.shape == (0,)
-
-
 def test_balls_stick_below_a_speed(grains):
     slow = grains[0, 0]
     assert slow.speed < slow.sticking_speed and slow.restitution == 0 and slow.contact_time == math.inf
     assert slow.dominant == "adhesion" and slow.rebound_height == 0
     assert slow.adhesion_speed == pytest.approx(10 * slow.sticking_speed) and slow.yield_speed is None
-
-
-def test_height_is_that_of_a_fall(drop):
-    fallen = quietly(BALL, against=BLOCK, height=[0.01, drop.drop_height])
-    assert fallen.speed[0] == pytest.approx(math.sqrt(2 * 9.80665 * 0.01), rel=1e-12)
-    assert fallen.drop_height == pytest.approx([0.01, drop.drop_height], rel=1e-12)
-    assert fallen.rebound_height == pytest.approx(fallen.restitution**2 * fallen.drop_height)
-    assert fallen.restitution[1] == pytest.approx(drop.restitution, rel=1e-9)
 
 
 def test_a_material_of_ones_own_has_no_name(drop):

@@ -27,28 +27,6 @@ def whole(tmp_path_factory):
     return stoss.sweep(grid(), store=store), store
 
 
-def test_values_are_those_of_restitution(whole):
-    result, _ = whole
-    for i, poisson in enumerate((0.1, 0.3)):
-        for j, against in enumerate((None, "same")):
-            ball = stoss.Sphere(poisson=poisson)
-            direct = stoss.restitution(ball, against=against, speed=[0.01, 0.03, 0.1], tolerance=1e-2)
-            for name in ("restitution", "restitution_error", "contact_time", "steps", "converged"):
-                assert np.array_equal(getattr(result, name)[i, j], getattr(direct, name)), name
-
-
-@pytest.mark.parametrize("against", [None, "glass block"])
-def test_materials_are_in_si(tmp_path, against):
-    block = stoss.HalfSpace(material=stoss.materials["glass"])
-    balls = [stoss.Sphere(radius=radius, material=STEEL) for radius in (0.005, 0.01)]
-    met = [block] if against else ["wall"]
-    result = stoss.sweep(grid(bodies=balls, against=met, speed=[0.5, 1.0]), store=tmp_path)
-    for i, ball in enumerate(balls):
-        direct = stoss.restitution(ball, against=block if against else None, speed=[0.5, 1.0], tolerance=1e-2)
-        assert np.array_equal(result.restitution[i, 0], direct.restitution)
-        assert np.array_equal(result.contact_time[i, 0], direct.contact_time)
-
-
 def test_partner_takes_the_poisson_number_of_the_first():
     cases = grid(against=[{"kind": "sphere", "radius": [1.0, 2.0]}, stoss.HalfSpace()]).cases()
     assert [case.against.poisson for case in cases] == [0.1, 0.1, 0.1, 0.3, 0.3, 0.3]
@@ -97,37 +75,6 @@ def test_grid_of_toml(tmp_path, whole):
     assert disk == stoss.Disk(radius=0.01, material=STEEL, plane="strain")
 
 
-@pytest.mark.parametrize(
-    "changed, message",
-    [
-        ({"bodies": []}, "bodies: got none"),
-        ({"against": []}, "against: got none"),
-        ({"speed": []}, "speed: got none"),
-        ({"bodies": {"kind": "sphere", "poisson": []}}, "bodies: got none"),
-        ({"speed": [0.1, 0.2, 0.1]}, "speed: got 0.1 twice"),
-        ({"bodies": [stoss.Sphere(poisson=0.1), stoss.Sphere(poisson=0.1)]}, "grid: got Sphere"),
-        ({"against": ["same", {"kind": "sphere"}]}, "grid: got Sphere"),
-        ({"speed": [0.1, float("nan")]}, "speed: got nan"),
-        ({"speed": 0.0}, "speed: got 0"),
-        ({"bodies": {"kind": "sphere", "poisson": float("nan")}}, "bodies: got {'kind': 'sphere', 'poisson': nan}, allowed finite"),
-        ({"bodies": {"kind": "cube"}}, "bodies: kind: got 'cube', allowed disk, sphere"),
-        ({"bodies": {"kind": "sphere", "poisson": 0.3, "colour": 1}}, "bodies: got \"colour\", allowed kind, poisson"),
-        ({"bodies": {"kind": "sphere", "poisson": "log:1:2"}}, "bodies: poisson: got 'log:1:2'"),
-        ({"bodies": "sphere"}, "bodies: got 'sphere'"),
-        ({"against": stoss.ExponentialWall()}, "against: got ExponentialWa"),
-        ({"against": stoss.HalfPlane()}, "against: got HalfPlane"),
-        ({"against": {"kind": "wall", "radius": 2}}, "against: got 'radius'"),
-        ({"speed": "log:0:1:3"}, "speed: got 'log:0:1:3'"),
-        ({"tolerance": 0.0}, "tolerance: got 0"),
-        ({"bodies": [stoss.Sphere(poisson=0.1), stoss.Sphere(radius=1, material=STEEL)]}, "bodies: got some with"),
-    ],
-)
-def test_refused(changed, message):
-    with pytest.raises(stoss.InvalidInput) as error:
-        grid(**changed)
-    assert str(error.value).startswith(message) and "\n" not in str(error.value)
-
-
 @pytest.mark.parametrize("given", [{}, {"speed": 1}, {"bodies": BALLS, "speed": 0.1, "colour": 1}, 3, [1]])
 def test_no_grid(given, tmp_path):
     with pytest.raises(stoss.InvalidInput, match="grid: got"):
@@ -139,23 +86,6 @@ def test_no_grid(given, tmp_path):
 def test_no_executor(executor, tmp_path):
     with pytest.raises(stoss.InvalidInput, match="executor: got"):
         stoss.sweep(grid(), executor, store=tmp_path)
-
-
-def test_netcdf(whole, tmp_path):
-    xarray = pytest.importorskip("xarray")
-    pytest.importorskip("netCDF4")
-    result, store = whole
-    assert equal(stoss.merge(store, tmp_path / "a.nc"), result)
-    with xarray.open_dataset(tmp_path / "a.nc") as data:
-        assert data.restitution.dims == ("body", "against", "speed")
-        assert data.body.values.tolist() == ["sphere,poisson=0.1", "sphere,poisson=0.3"]
-        assert data.against.values.tolist() == ["wall", "same"] and data.body_poisson.values.tolist() == [0.1, 0.3]
-        assert (data.speed.units, data.contact_time.units, data.restitution.units) == ("c", "R/c", "1")
-        assert data.complete == "true" and stoss.__version__ in data.source
-        assert stoss.Grid.from_dict(json.loads(data.grid)) == grid()
-        for name in result.rows.dtype.names:
-            assert np.array_equal(data[name].values, result.rows[name]), name
-    assert not list(tmp_path.glob(".stoss-*"))
 
 
 def test_netcdf_of_what_is_not_complete(tmp_path):

@@ -67,8 +67,7 @@ stoss.sweep(sys.argv[1], executor, store="store")
 """
 
 
-@pytest.mark.parametrize("processes", [0, 2])
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind, processes", [*((kind, 0) for kind in KINDS), ("restitution", 2)])
 def test_killed_amid_a_row_and_continued(alone, interpreter, kind, processes, tmp_path):
     """A worker is killed by SIGKILL while it writes its n-th line: with what is there the sweep goes on."""
     result, _ = alone(kind)
@@ -85,15 +84,6 @@ def test_killed_amid_a_row_and_continued(alone, interpreter, kind, processes, tm
     assert torn
     again = stoss.sweep(tmp_path / f"{kind}.toml", 2, store=tmp_path / "store")
     assert again.rows.tobytes() == result.rows.tobytes()
-
-
-@pytest.mark.parametrize("kind", KINDS)
-def test_shards_of_the_command(alone, command, kind):
-    result, _ = alone(kind)
-    grid_of(kind, command.folder)
-    for shard in ("1/2", "2/2"):
-        assert command.run("sweep", f"{kind}.toml", "--store", "store", "--shard", shard)[0] == 0
-    assert stoss.open_sweep(command.folder / "store").rows.tobytes() == result.rows.tobytes()
 
 
 @pytest.mark.parametrize("kind", KINDS)
