@@ -11,7 +11,7 @@ from conftest import SMALL, resume, rows, wait_for_rows
 
 pytestmark = pytest.mark.numbers
 
-JOB = "restitution --body disk --poisson 0.33,-0.2 --speed log:1e-3:0.09:60"
+JOB = "restitution --body disk --poisson 0.33,-0.2 --speed log:1e-3:0.09:300"
 INTERRUPTED = "# interrupted: the rows above are complete, later ones are missing\n"
 DISK = '{"kind":"disk","poisson":%s}'
 BALL = "--body sphere --poisson 0.3"

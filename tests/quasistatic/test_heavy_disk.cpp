@@ -74,6 +74,35 @@ TEST(QuasistaticHeavyDisk, EdgeIsFreeAllAroundAPointOfContact) {
   }
 }
 
+TEST(QuasistaticHeavyDisk, EdgeIsFreeToHigherOrderAroundAHertzContact) {
+  for (const double phi : {0.3, 1.0, 2.0, 3.0, 5.0}) {
+    double previous = 0.0;
+    for (const double force : {1e-3, 1e-4, 1e-5, 1e-6}) {
+      const Traction traction = on_edge(HeavyDiskContact::hertz, force, phi);
+      const double size = std::hypot(traction.x, traction.y);
+      EXPECT_LT(size, force * force / (1.0 - std::cos(phi)) * (1.0 + 20.0 * force)) << force << " " << phi;
+      // F², that is a² compared with the stress F of the load.
+      if (previous > 0.0) {
+        EXPECT_NEAR(std::log10(previous / size), 2.0, 0.05) << force << " " << phi;
+      }
+      previous = size;
+    }
+  }
+}
+
+TEST(QuasistaticHeavyDisk, EdgeInAndNearAHertzContactHasThePressure) {
+  for (const double force : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+    const double a = hertz_half_width(force);
+    double greatest = 0.0;
+    for (double t = 0.0; t < 3.0; t += 1e-4) {
+      const Traction traction = on_edge(HeavyDiskContact::hertz, force, t * a);
+      greatest = std::max(greatest, std::hypot(traction.x - hertz_pressure(force, std::sin(t * a)), traction.y));
+    }
+    EXPECT_LT(greatest, 0.7 * std::pow(force, 0.75)) << force;  // ½√a of the maximum pressure
+    EXPECT_GT(greatest, 0.4 * std::pow(force, 0.75)) << force;
+  }
+}
+
 TEST(QuasistaticHeavyDisk, AxisIsAsPrinted) {
   constexpr double force = 1e-2;
   const double a = hertz_half_width(force), load = pi * force;
