@@ -39,7 +39,7 @@ def test_one_impact_is_that_of_the_restitution(stoss, words):
 
 
 def test_ledger_says_what_modes_had_before(stoss):
-    job = f"impact --body sphere --poisson 0.3 --speed 0.01 --cutoff 15 --mode 2,0,energy=0.1,phase=2 --mode 3,0,energy=0.02"
+    job = "impact --body sphere --poisson 0.3 --speed 0.01 --cutoff 15 --mode 2,0,energy=0.1,phase=2 --mode 3,0,energy=0.02"
     result = json.loads(stoss.run(job, "--format json").stdout)
     before = {(m["order"], m["index"]): m["before"] for m in result["modes"] if m["before"] > 0}
     assert before == {(2, 0): pytest.approx(0.1 / 1.12, rel=1e-9), (3, 0): pytest.approx(0.02 / 1.12, rel=1e-9)}
@@ -48,7 +48,7 @@ def test_ledger_says_what_modes_had_before(stoss):
     names = table.split("most energetic modes")[1].splitlines()[1].split()
     assert names == ["n", "l", "omega", "before", "average", "after"]
     assert "0.0892857" in table
-    assert "before" not in stoss.run(f"impact --body sphere --poisson 0.3 --speed 0.01 --cutoff 15").stdout
+    assert "before" not in stoss.run("impact --body sphere --poisson 0.3 --speed 0.01 --cutoff 15").stdout
 
 
 def test_a_sequence_that_ends_early_keeps_its_rows(stoss):
