@@ -134,8 +134,8 @@ def test_ctrl_c(command):
     assert 0 < np.count_nonzero(stoss.open_sweep(command.folder / "store").computed) < 192
 
 
-@pytest.mark.parametrize("kills", [6, pytest.param(30, marks=pytest.mark.long)])
-def test_kills(command, kills):
+@pytest.mark.long
+def test_kills(command, kills=30):
     """Four workers, killed so many times at random instants, then two shards and one: as if nothing had
     happened."""
     (command.folder / "grid.toml").write_text(TOML)
