@@ -81,12 +81,13 @@ bench: setup python ## benchmarks, with the paper's protocol and finite elements
 bench-compare: ## has anything become slower since the last release? (THRESHOLD=1.3, of bench/history.jsonl)
 	@$(PYTHON) bench/compare.py --threshold $(THRESHOLD)
 
-validate: setup ## are the errors of restitution honest? writes docs/validation.md
+validate: setup ## do the errors of restitution hold? writes docs/developer/validation.md, its points as CSV and picture
 	@cmake --preset release -DSTOSS_BUILD_VALIDATE=ON
 	@cmake --build --preset release -j $(JOBS) --target stoss_validate
-	@build/release/validate/stoss_validate --markdown=docs/validation.md
+	@build/release/validate/stoss_validate --markdown=docs/developer/validation.md
+	@$(PYTHON) validate/scatter.py docs/developer/validation.md docs/results/validation.csv docs/images/validation.png
 
-results: setup python ## the tables and the figures of docs/results/
+results: setup python ## the tables of docs/results/ and the figures of docs/understand/
 	@cmake --preset release -DSTOSS_BUILD_STUDIES=ON
 	@cmake --build --preset release -j $(JOBS) --target stoss_curves stoss_gas stoss_half_space stoss_loss stoss_oblique \
 		stoss_pairs stoss_plates stoss_rough_gas stoss_spheres stoss_vibration
@@ -105,12 +106,17 @@ results: setup python ## the tables and the figures of docs/results/
 	@$(PYTHON) studies/half_space/figure.py docs/results/half_space.csv docs/images/half_space.png
 	@build/venv/bin/python studies/half_space/wave.py docs/images/half_space_wave.png
 	@build/venv/bin/python studies/half_space/ball_on_block.py docs/images/ball_on_block.png
+	@build/venv/bin/python studies/half_space/film.py docs/images/film.gif
 	@build/release/studies/stoss_plates docs/results/plates
 	@$(PYTHON) studies/plates/figure.py docs/results/plates docs/images
 	@build/venv/bin/python studies/plates/wave.py docs/images/plates_wave.png
 	@build/release/studies/stoss_oblique docs/results/oblique
 	@$(PYTHON) studies/oblique/figure.py docs/results/oblique docs/images
+	@$(PYTHON) studies/oblique/superball.py docs/results/oblique/superball.csv docs/images/superball.png
 	@build/venv/bin/python studies/laws/make.py docs/results/laws.csv
+	@$(PYTHON) studies/energy/figure.py build/release/cli/stoss docs/results/energy.csv docs/images/energy.png
+	@$(PYTHON) studies/energy/regimes.py build/release/cli/stoss docs/results/regimes.csv docs/images/regimes.png
+	@$(PYTHON) studies/measured/figure.py build/release/cli/stoss docs/images/measured.png
 	@build/release/studies/stoss_vibration docs/results/vibration
 	@$(PYTHON) studies/vibration/figure.py docs/results/vibration docs/images
 

@@ -35,7 +35,7 @@ class BuildWithCMake(build_ext):
     def configure(self) -> str:
         """A tree of its own; with Ninja where that is installed, else with what CMake takes by default (make)."""
         if not shutil.which("cmake"):
-            raise SystemExit("stoss: cmake is not installed (docs/dependencies.md names all that the build needs)")
+            raise SystemExit("stoss: cmake is missing (docs/developer/dependencies.md has all that the build needs)")
         # In a virtual environment sys.executable is a link; the module belongs to the interpreter behind it.
         python = os.path.realpath(sys.executable)
         print(f"stoss: the Python module is built for {python} (Python {sys.version.split()[0]})", flush=True)

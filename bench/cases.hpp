@@ -6,7 +6,7 @@ namespace bench {
 inline constexpr double poisson = 0.33;
 inline constexpr double speed = 0.1;
 
-/// Its converged 1 − ε² at a hard wall (docs/numerics.md).
+/// Its converged 1 − ε² at a hard wall (docs/developer/numerics.md).
 inline constexpr double converged_lost_fraction = 0.103088;
 
 /// The Poisson's ratio of spheres.
@@ -18,7 +18,7 @@ struct ConvergedCase {
   double lost_fraction;
 };
 
-/// A disk at a hard wall, by tolerance 1e-5 (docs/numerics.md).
+/// A disk at a hard wall, by tolerance 1e-5 (docs/developer/numerics.md).
 inline constexpr ConvergedCase hard_wall_cases[] = {
     {0.001, 0.0284886}, {0.01, 0.031382}, {speed, converged_lost_fraction}, {0.3, 0.293637}};
 

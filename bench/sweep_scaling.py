@@ -1,7 +1,7 @@
 """How stoss.sweep scales: cases per second of one process, of as many as there are cores, and of twice as many.
 
 Run:     build/venv/bin/python bench/sweep_scaling.py [--processes N,…] [--cases N] [--only apart,local,mpi,dask]
-Prints:  a table of eight columns, five of which are in docs/sweeps.md, from runs with other --cases.
+Prints:  a table of eight columns, five of which are in docs/developer/sweeps.md, from runs with other --cases.
 
 Each row is two sweeps into new stores, by a process of their own: one of so many spheres on a wall (--cases, without
 which they are 60 for each core), one of three times as many, which takes longer by what the additional cases cost. A

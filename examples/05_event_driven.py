@@ -11,7 +11,7 @@ Here v is the speed at which two equal disks approach each other. `restitution_f
 where the wave needs it, and its error includes the interpolation; below its range it follows the
 law of slow impacts. In a callback such as REBOUND's sim.coefficient_of_restitution use
 `lambda simulation, v: restitution(v)`: the sign of v does not matter. The example assumes that
-disks stop ringing before they meet again, and ignores material damping (docs/materials.md).
+disks stop ringing before they meet again, and ignores material damping (docs/reference/materials.md).
 """
 
 import argparse

@@ -7,11 +7,11 @@ from pathlib import Path
 
 import stoss
 
-landing = (Path(__file__).parents[1] / "docs/index.md").read_text(encoding="utf-8")
+page = (Path(__file__).parents[1] / "docs/howto/plates.md").read_text(encoding="utf-8")
 os.chdir(sys.argv[1])
 
-# The first picture of docs/index.md, drawn by the page's own lines.
-exec(re.search(r"^```python\n(.*?)^```$", landing, re.MULTILINE | re.DOTALL)[1])
+# The picture of docs/howto/plates.md, drawn by the page's own lines.
+exec(re.search(r"^```python\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)[1])
 
 hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=25)
 stoss.animate(hit, "collision.gif", quantity="von_mises")

@@ -31,8 +31,8 @@ elif [ "$(sed -n 's/^### //p' <<<"$section" | head -n 1)" != "What you must chan
   refuse "CHANGELOG.md: '$title' must begin with '### What you must change' (or say there that it is nothing)"
 fi
 [ -z "$last" ] || ! git diff --quiet "$last" -- CHANGELOG.md || refuse "CHANGELOG.md: got that of $last, unchanged"
-grep -q "^Within the versions ${version%%.*}\.x:" docs/versions.md ||
-  refuse "docs/versions.md: what is stable must be said of ${version%%.*}.x"
+grep -q "^Within the versions ${version%%.*}\.x:" docs/developer/versions.md ||
+  refuse "docs/developer/versions.md: what is stable must be said of ${version%%.*}.x"
 
 if grep -q '^# Placeholders' CITATION.cff; then
   echo "release: note: CITATION.cff has placeholders for people and repository; fill them in where they are known"
@@ -48,7 +48,7 @@ was=${old//./\\.}
 sed -i "s/^project(stoss VERSION $was /project(stoss VERSION $version /" CMakeLists.txt
 sed -i -e '/^date-released: /d' -e "s/^version: .*/version: $version\ndate-released: $day/" CITATION.cff
 sed -i "0,/^## .*/s//## $version ($day)/" CHANGELOG.md
-sed -i "s/\bstoss $was\( follows\|: \)/stoss $version\1/g" docs/versions.md
+sed -i "s/\bstoss $was\( follows\|: \)/stoss $version\1/g" docs/developer/versions.md
 sed -i "s/as in \"$was\"/as in \"$version\"/" include/stoss/stoss.h include/stoss/version.hpp
 if ! head -n 1 debian/changelog | grep -q "^stoss ($version-"; then
   who=$(sed -n 's/^ -- \(.*>\)  .*/\1/p' debian/changelog | head -n 1)

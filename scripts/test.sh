@@ -101,14 +101,14 @@ case $tier in long) try friends --all ;; *) try friends ;; esac
 step "tests: long"
 try run long
 
-step "validation: the errors of restitution are honest, as docs/validation.md says"
+step "validation: the errors of restitution hold, as docs/developer/validation.md says"
 configure release -DSTOSS_BUILD_VALIDATE=ON
 cmake --build --preset release -j "$jobs" --target stoss_validate
 # Its times are those of the machine.
 without_times() { sed '/^## Convergence and time/,/^## Errors/d' "$1"; }
 as_documented() {
   build/release/validate/stoss_validate --markdown=build/validation.md &&
-    diff <(without_times docs/validation.md) <(without_times build/validation.md)
+    diff <(without_times docs/developer/validation.md) <(without_times build/validation.md)
 }
 try as_documented
 

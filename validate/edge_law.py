@@ -1,7 +1,7 @@
 """Finds the two constants of the edge law (src/contact/edge/edge_law.cpp) again: python3 validate/edge_law.py
 
 A parabola of curvature 1 is pressed on a half-plane of softness D = 1 that is only touched at nodes
-x = ±½, ±3/2, … (spacing h = 1), as docs/numerics.md, section 3, explains. Needs numpy.
+x = ±½, ±3/2, … (spacing h = 1), as docs/developer/numerics.md, section 3, explains. Needs numpy.
 """
 
 import numpy as np

@@ -1,19 +1,20 @@
 #pragma once
 
-/// What docs/validation.md says of its references and of what is promised.
+/// What docs/developer/validation.md says of its references and of what is promised.
 namespace validate::text {
 
-inline constexpr const char* introduction = R"(# Validation: are the errors honest?
+inline constexpr const char* introduction = R"(# Validation: do the errors hold?
 
 Written by `make validate`; do not edit by hand, edit `validate/introduction.hpp` and
-`validate/text.hpp`.
+`validate/text.hpp`. For users, [one page](../understand/accuracy.md) sums it up; its picture and
+its CSV file follow from the tables below (`validate/scatter.py`).
 
-`restitution` gives every value with an estimated error ([numerics.md](numerics.md) §5). stoss makes
-three promises about the error of 1 − ε²:
+`restitution` gives every value with an estimated error ([numerics.md](numerics.md) §5). Three
+conditions are tested for the error of 1 − ε²:
 
 1. in at least 95 % of all points the true error is within the estimated one,
-2. in all it is within three times the estimated one,
-3. the estimated one is not padded: in the median it is at most ten times the true one.
+2. in all points it is within three times the estimated one,
+3. the estimated error is not padded: in the median it is at most ten times the true one.
 
 The program exits with code 1 if one of the three fails at any tolerance on any of the sets.
 `tests/restitution/test_validation_sample.cpp` repeats it on a sample.

@@ -1,12 +1,12 @@
 #pragma once
 
-/// What docs/validation.md says around its tables of bodies by their modes at a point.
+/// What docs/developer/validation.md says around its tables of bodies by their modes at a point.
 namespace validate::text {
 
 inline constexpr const char* modal_tally = R"(
 ## Bodies by their modes at a point
 
-Spheres given by their modes at a point ([theory](theory/any_body.md)), judged at the default
+Spheres given by their modes at a point ([theory](derivations/any_body.md)), judged at the default
 tolerance by the spheres themselves, `validate/data/reference_modal.csv`. Columns as
 [above](#errors-against-true-errors). The error of such a body holds what its numbers do not tell:
 where they have errors, and where its surface departs from the sphere of its curvature, the true

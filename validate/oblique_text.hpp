@@ -1,6 +1,6 @@
 #pragma once
 
-/// What docs/validation.md says around its tables of oblique impacts.
+/// What docs/developer/validation.md says around its tables of oblique impacts.
 namespace validate::text {
 
 inline constexpr const char* oblique_tally = R"(

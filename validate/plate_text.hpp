@@ -1,6 +1,6 @@
 #pragma once
 
-/// What docs/validation.md says around its tables of balls on plates.
+/// What docs/developer/validation.md says around its tables of balls on plates.
 namespace validate::text {
 
 inline constexpr const char* plate_tally = R"(

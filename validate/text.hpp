@@ -1,6 +1,6 @@
 #pragma once
 
-/// What docs/validation.md says around its tables, but for its introduction.
+/// What docs/developer/validation.md says around its tables, but for its introduction.
 namespace validate::text {
 
 inline constexpr const char* verdict = R"(

@@ -157,7 +157,8 @@ void run(const std::string& file, const std::string& places, std::size_t count) 
   out.precision(8);
   out << "# " << count << " disks, nu = " << poisson << ", R to " << largest << " R, packing " << packing
       << ", mean energy " << temperature << " rho c^2 R^2; table: error " << error << ", constant: restitution "
-      << 1.0 - a << ", power: 1 - " << b << " (v/c)^(1/5); made by `make results`. Columns: docs/results/gas.md.\n"
+      << 1.0 - a << ", power: 1 - " << b
+      << " (v/c)^(1/5); made by `make results`. Columns: docs/understand/findings/gas.md.\n"
       << "law,time[R/c],collisions,energy,fluctuation\n";
   gas::Gas<2> gas = start;
   cool(out, "stoss", gas, computed, seen.time_of(computed));

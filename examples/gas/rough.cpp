@@ -127,7 +127,7 @@ int main(int argc, char** argv) {
     std::ofstream out(argv[1]);
     out.precision(8);
     out << "# " << count << " particles, friction " << friction << ", temperature " << temperature
-        << "; made by `make results`. Columns: docs/results/rough_gas.md.\n"
+        << "; made by `make results`. Columns: docs/understand/findings/gas.md.\n"
         << "body,rule,time[R/c],collisions,translation,rotation\n";
     run<2>(out, {"disks", stoss::disk(0.33), 0.3}, count);
     run<3>(out, {"spheres", stoss::sphere(0.3), 0.15}, count);

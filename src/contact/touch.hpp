@@ -21,7 +21,8 @@ struct Touch {
 [[nodiscard]] double loss_share(const Contact& contact);
 
 /// Compression at which evenly spaced contact points with the edge law begin to push: they answer like a continuous
-/// surface that is closer by this, −h²/24 of a line and −h²/12 of a ball in their radius (docs/numerics.md, section 3).
+/// surface that is closer by this, −h²/24 of a line and −h²/12 of a ball in their radius (docs/developer/numerics.md,
+/// section 3).
 [[nodiscard]] double touch_compression(const Contact& contact, const ContactGrid& grid);
 
 }  // namespace stoss

@@ -93,7 +93,7 @@ inline std::vector<double> numbers(const std::string& where, const Json& value, 
 
 }  // namespace stoss::json
 
-/// Names of the documents, with their versions (docs/versions.md).
+/// Names of the documents, with their versions (docs/developer/versions.md).
 namespace stoss::json {
 
 inline constexpr const char* encounter_format = "stoss encounter 1";

@@ -43,7 +43,8 @@ NamedMaterial varying(NamedMaterial named, double young, double poisson, double 
   return named;
 }
 
-/// What cracks, roughness, frost and water let lose far more than waves and the sound material do (docs/measured.md).
+/// What cracks, roughness, frost and water let lose far more than waves and the sound material do
+/// (docs/understand/measured.md).
 NamedMaterial if_sound(NamedMaterial named) {
   named.sound = true;
   return named;

@@ -103,7 +103,7 @@ Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const s
   const Run& last = runs.back();
   const Missing lacks = missing(last.cutoff * scale, own);
   // At a half-space less is in doubt, as the body alone gives back; but its quadrature leaves something out. Both are
-  // less on plates (docs/numerics.md, section 14).
+  // less on plates (docs/developer/numerics.md, section 14).
   constexpr double less = 0.5, of_a_half_space = 3e-5, of_a_plate = 3e-6, calm_on_a_plate = 0.5;
   const double calm = contact.gives_way ? calm_on_a_plate : 1.0;
   const double quadrature = contact.gives_way ? of_a_plate : of_a_half_space;

@@ -10,7 +10,8 @@ namespace stoss {
 /// it grows, and slower in lossy bodies.
 [[nodiscard]] double convergence_order(const Contact& contact);
 
-/// Fills the estimates of a result from its runs, of which the last is the finest (docs/numerics.md, section 5).
+/// Fills the estimates of a result from its runs, of which the last is the finest (docs/developer/numerics.md, section
+/// 5).
 ///
 /// What an impact at a finite cutoff lacks is what the modes above it, which take the energy U for good, would have
 /// given back. With the share s of U (`missing`), 1 − ε² is q − sU, and its error the greater of a part of U and of

@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
     auto out = fmt::output_file(argv[1]);
     out.print(
         "# Disk against a hard wall, tolerance {} of 1-eps^2; made by `make results`. Quasi-static: "
-        "docs/results/wall.md.\n",
+        "docs/understand/findings/wall.md.\n",
         tolerance);
     out.print(
         "poisson,speed[c],restitution,restitution_error,lost_fraction,lost_fraction_error,contact_time[R/c],"

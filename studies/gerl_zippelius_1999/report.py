@@ -239,9 +239,9 @@ def _errata(folder: Path) -> str:
 
 
 def _documentation(folder: Path) -> str:
-    """Path of docs/theory/errata.md from here; nothing if the report is outside the repository."""
+    """Path of docs/developer/derivations/errata.md from here; nothing if the report is outside the repository."""
     place = folder.resolve()
-    return os.path.relpath(REPOSITORY / "docs" / "theory" / "errata.md", place) if REPOSITORY in place.parents else ""
+    return os.path.relpath(REPOSITORY / "docs/developer/derivations/errata.md", place) if REPOSITORY in place.parents else ""
 
 
 def _references() -> str:

@@ -66,7 +66,7 @@ centre of mass (E8). The falling loss, “presumably unphysical”, is real (E11
 </ul>
 """
 
-# Paper; correct; section of docs/theory/errata.md and its anchor there.
+# Paper; correct; section of docs/developer/derivations/errata.md and its anchor there.
 ERRATA = (
     ("The energy of a mode is written with <i>mω</i>²<i>Q</i>² (eqs. 40 and 61, the energy with a wall).",
      "½ <i>mω</i>²<i>Q</i>², as in the paper’s own eq. (34), the energy of a free disk.",

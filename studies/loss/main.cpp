@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
     auto out = fmt::output_file(argv[1]);
     out.print(
         "# Lossy sphere against a rigid wall, nu = {}, tolerance {} of 1-eps^2; made by `make results`. Columns: "
-        "docs/results/loss.md.\n",
+        "docs/understand/findings/loss.md.\n",
         poisson, tolerance);
     out.print(
         "loss_time[R/c],speed[c],restitution,restitution_error,lost_fraction,lost_fraction_error,dissipated,"

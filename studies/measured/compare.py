@@ -1,4 +1,4 @@
-"""Prints the table of docs/measured.md: measurements beside what stoss predicts, nothing fitted.
+"""Prints the table of docs/understand/measured.md: measurements beside what stoss predicts, nothing fitted.
 
 compare.py [COMMAND]: COMMAND is the stoss command, build/release/cli/stoss unless given.
 """

@@ -1,4 +1,4 @@
-"""Whether a bound by β, μ and the slip says as much as the estimate of neglected coupling of spheres (docs/numerics.md,
+"""Whether a bound by β, μ and the slip says as much as the estimate of neglected coupling of spheres (docs/developer/numerics.md,
 §15): draws impacts from a seed, has them computed, and prints how a table of the estimates' own quantiles does.
 
     coupling_bound.py STOSS IMPACTS [SEED]

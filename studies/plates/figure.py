@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib import pyplot
 
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00")
-PAIRS = (("bearing steel", "bearing steel"), ("bearing steel", "glass"), ("glass", "glass"), ("ice", "ice"))
+SHOWN = ("bearing steel", "glass")  # ball and plate
 SPEEDS = {"0.01": COLORS[0], "0.1": COLORS[2], "0.5": COLORS[1]}
 TOO_FAR = 0.3  # deflection over thickness beyond which a plate is no longer linear
 
@@ -23,31 +23,30 @@ def column(rows, name):
 
 
 def materials(rows):
-    """ε and 1 − ε² against thickness, Zener's theory beside them, and the block."""
-    figure, grid = pyplot.subplots(2, 4, figsize=(8, 4), dpi=150, layout="constrained", sharex="row", sharey="row")
-    for (upper, lower), (ball, plate) in zip(grid.T, PAIRS):
-        for speed, color in SPEEDS.items():
-            its = [row for row in rows if (row["ball"], row["plate"], row["speed[m/s]"]) == (ball, plate, speed)]
-            plates, block = its[:-1], its[-1]
-            thickness = column(plates, "thickness[R]")
-            upper.plot(thickness, column(plates, "restitution"), color=color, label=f"{speed} m/s")
-            upper.plot(thickness, column(plates, "zener"), color=color, linestyle=":")
-            lower.plot(thickness, column(plates, "lost_fraction"), color=color)
-            lower.plot(thickness, 1 - column(plates, "zener") ** 2, color=color, linestyle=":")
-            lower.plot([20, 100], 2 * [float(block["lost_fraction"])], color=color, linewidth=3, alpha=0.4)
-        upper.set_title(f"{ball} on {plate}".replace("bearing ", ""), fontsize=8)
-        upper.set(xscale="log", xlim=(0.2, 5), ylim=(0, 1))
-        upper.set_xticks((0.2, 0.5, 1, 2, 5), labels=("0.2", "0.5", "1", "2", "5"))
-        upper.tick_params(labelbottom=True)
-        lower.set(xscale="log", yscale="log", ylim=(1e-4, 1.5), xlim=(0.2, 100), xlabel="thickness / R")
-        for axes in (upper, lower):
-            axes.minorticks_off()
-            axes.grid(alpha=0.3)
-    grid[0, 0].plot([], [], color="0.3", linestyle=":", label="Zener")
-    grid[0, 0].plot([], [], color="0.3", linewidth=3, alpha=0.4, label="block")
-    grid[0, 0].legend(frameon=False, fontsize=7, loc="lower right")
-    grid[0, 0].set(ylabel="restitution ε")
-    grid[1, 0].set(ylabel="lost energy 1 − ε²")
+    """ε and 1 − ε² of steel on glass against thickness, Zener's theory beside them, and the block."""
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(7.4, 3), dpi=150, layout="constrained")
+    for speed, color in SPEEDS.items():
+        its = [row for row in rows if (row["ball"], row["plate"], row["speed[m/s]"]) == (*SHOWN, speed)]
+        plates, block = its[:-1], its[-1]
+        thickness = 1e3 * column(plates, "thickness[m]")
+        left.plot(thickness, column(plates, "restitution"), color=color, label=f"{speed} m/s")
+        left.plot(thickness, column(plates, "zener"), color=color, linestyle=":")
+        right.plot(thickness, column(plates, "lost_fraction"), color=color)
+        right.plot(thickness, 1 - column(plates, "zener") ** 2, color=color, linestyle=":")
+        right.plot([100, 500], 2 * [float(block["lost_fraction"])], color=color, linewidth=3, alpha=0.4)
+    for place, words in ((4, "window pane"), (10, "shop window"), (25, "table top")):
+        left.axvline(place, color="0.8", linewidth=0.8, zorder=0)
+        left.text(1.03 * place, 0.03, words, rotation=90, fontsize=6, color="0.4", va="bottom")
+    left.plot([], [], color="0.3", linestyle=":", label="Zener's theory")
+    left.plot([], [], color="0.3", linewidth=3, alpha=0.4, label="block")
+    left.legend(frameon=False, fontsize=7, loc="upper left")
+    left.set(xscale="log", xlim=(1, 40), ylim=(0, 1), ylabel="restitution ε")
+    left.set_xticks((1, 2, 5, 10, 20, 40), labels=("1", "2", "5", "10", "20", "40"))
+    left.minorticks_off()
+    right.set(xscale="log", yscale="log", ylim=(1e-4, 1.5), xlim=(1, 500), ylabel="lost energy 1 − ε²")
+    for axes in (left, right):
+        axes.set_xlabel("thickness of the glass, mm")
+        axes.grid(alpha=0.3)
     return figure
 
 
@@ -96,22 +95,21 @@ def zener(rows):
 
 
 def block(rows):
-    """The loss on plates over that on a block against thickness over c_p T/2."""
-    figure, axes = pyplot.subplots(figsize=(5.2, 3.4), dpi=150, layout="constrained")
-    names = list(dict.fromkeys(row["pair"] for row in rows))
-    markers = dict(zip(("1e-05", "0.0001", "0.001", "0.01", "0.1"), "ov^s*"))
-    for name, color in zip(names, (*COLORS, "0.4", "black", "#56B4E9")):
-        for speed, marker in markers.items():
-            its = [row for row in rows if (row["pair"], row["speed[c]"]) == (name, speed)]
-            if its:
-                excess = column(its, "lost_fraction") / column(its, "on_block") - 1
-                axes.plot(column(its, "x"), np.abs(excess), color=color, marker=marker, markersize=2, linewidth=0.7)
-        axes.plot([], [], color=color, label=name.replace("nu", "ν"))
-    for speed, marker in markers.items():
-        axes.plot([], [], color="0.3", marker=marker, markersize=3, linestyle="none", label=f"v = {float(speed):g} c")
-    axes.axhline(0.01, color="0.3", linestyle=":")
-    axes.set(yscale="log", ylim=(1e-4, 300), xlabel="thickness / $\\frac{1}{2}c_pT$", ylabel="|loss / loss on a block − 1|")
-    axes.legend(frameon=False, fontsize=6, ncols=2, loc="upper right")
+    """The loss on plates over that on a block against thickness over c_p T/2: all pairs, one of them with colour."""
+    figure, axes = pyplot.subplots(figsize=(4.8, 3.2), dpi=150, layout="constrained")
+    for key in dict.fromkeys((row["pair"], row["speed[c]"]) for row in rows):
+        its = [row for row in rows if (row["pair"], row["speed[c]"]) == key]
+        excess = np.abs(column(its, "lost_fraction") / column(its, "on_block") - 1)
+        color = COLORS[0] if key[0].endswith("nu=0.3") else COLORS[4] if key[0].endswith("nu=0.45") else "0.7"
+        axes.plot(column(its, "x"), excess, color=color, linewidth=0.8, zorder=1 if color == "0.7" else 2)
+    for color, words in ((COLORS[0], "ball and plate of ν = 0.3"), (COLORS[4], "of ν = 0.45"), ("0.7", "other pairs")):
+        axes.plot([], [], color=color, label=words)
+    axes.axhline(0.01, color="0.3", linestyle=":", linewidth=0.9)
+    axes.axvline(0.8, color="0.3", linestyle="--", linewidth=0.9)
+    axes.text(0.81, 2, "C = 0.8", fontsize=7)
+    axes.set(yscale="log", ylim=(1e-4, 10), xlim=(0.2, 1.1), xlabel="thickness / $\\frac{1}{2}c_pT$",
+             ylabel="|loss / loss on a block − 1|")  # fmt: skip
+    axes.legend(frameon=False, fontsize=7, loc="lower left")
     return figure
 
 

@@ -4,12 +4,11 @@ import csv
 import sys
 
 from matplotlib import pyplot
-from matplotlib.ticker import NullLocator
 
 COLORS = {0.0: "#009E73", 0.2: "#56B4E9", 0.3: "#0072B2", 0.45: "#D55E00", 0.49: "#CC79A7"}
 DISK = 0.33  # Poisson's ratio of the disk that is drawn next to the spheres
 SLOWEST, FASTEST = 1e-6, 0.5
-ZOOM = (1e-6, 2.2e-6)
+SHOWN = 0.3  # Poisson's ratio of the sphere whose wave is drawn
 
 
 def table(name):
@@ -42,12 +41,12 @@ def draw_loss(axes, spheres, disks):
     axes.legend(frameon=False, fontsize=7, ncols=2, loc="lower right")
 
 
-def draw_wave(axes, rows, marker):
+def draw_wave(axes, rows):
     """(1 − ε²)/v as computed and by the quasi-static theory, and its mean over the phases."""
     factor = rows[0]["mean_loss_factor"]
     color = COLORS[rows[0]["poisson"]]
     mean = axes.axhline(factor, color="0.6", linewidth=0.8)
-    (full,) = axes.plot(*columns(rows, "lost_fraction", "speed[c]"), color=color, marker=marker, markersize=2)
+    (full,) = axes.plot(*columns(rows, "lost_fraction", "speed[c]"), color=color)
     speeds, values = columns(rows, "quasistatic_lost_fraction", "speed[c]")
     (slow,) = axes.plot(speeds, values, color="black", linewidth=0.7, linestyle=(0, (3, 1.5)))
     axes.set(xscale="log", ylim=(0, None))
@@ -56,28 +55,14 @@ def draw_wave(axes, rows, marker):
 
 def draw(spheres, disks):
     pyplot.rcParams.update({"font.size": 8, "axes.linewidth": 0.6, "lines.linewidth": 1.2})
-    figure = pyplot.figure(figsize=(7, 8.8), dpi=150, layout="constrained")
-    grid = figure.add_gridspec(len(spheres) + 1, 2, width_ratios=(3.4, 1), height_ratios=(2.5, *len(spheres) * [1]))
-    draw_loss(figure.add_subplot(grid[0, :]), spheres, disks)
-    for place, (poisson, rows) in enumerate(spheres.items(), start=1):
-        whole = figure.add_subplot(grid[place, 0])
-        near = figure.add_subplot(grid[place, 1], sharey=whole)
-        handles = draw_wave(whole, rows, None)
-        draw_wave(near, [row for row in rows if row["speed[c]"] <= 1.1 * ZOOM[1]], "o")
-        whole.set(xlim=(SLOWEST, FASTEST), ylabel="(1 − ε²) c / v")
-        whole.set_title(f"ν = {poisson:g}", fontsize=8, loc="left", pad=2)
-        near.set(xlim=ZOOM, xticks=[1e-6, 1.5e-6, 2e-6])
-        near.set_xticklabels(["1", "1.5", "2"])
-        near.xaxis.set_minor_locator(NullLocator())
-        near.tick_params(labelleft=False)
-        if place == 1:
-            whole.legend(handles, ["computed", "quasi-static", "mean c(ν)"], frameon=False, fontsize=7, ncols=3,
-                         loc="lower right", bbox_to_anchor=(1.01, 0.96), borderpad=0)  # fmt: skip
-        if place < len(spheres):
-            whole.tick_params(labelbottom=False)
-            near.tick_params(labelbottom=False)
-    whole.set_xlabel("speed v / c")
-    near.set_xlabel("v / $10^{-6}$ c")
+    figure, (upper, lower) = pyplot.subplots(2, 1, figsize=(7, 4.6), dpi=150, layout="constrained", height_ratios=(1.5, 1))
+    draw_loss(upper, spheres, disks)
+    handles = draw_wave(lower, spheres[SHOWN])
+    lower.axhline(2 * spheres[SHOWN][0]["mean_loss_factor"], color="0.6", linewidth=0.8, linestyle=":")
+    lower.set(xlim=(SLOWEST, 1e-2), ylim=(0, 0.5), ylabel="(1 − ε²) c / v", xlabel="speed v / c")
+    lower.set_title(f"sphere, ν = {SHOWN:g}", fontsize=8, loc="left", pad=2)
+    lower.legend(handles, ["computed", "quasi-static", "mean c(ν), and twice it"], frameon=False, fontsize=7, ncols=3,
+                 loc="upper right")  # fmt: skip
     return figure
 
 

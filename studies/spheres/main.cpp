@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
     auto out = fmt::output_file(argv[1]);
     out.print(
         "# Sphere against a rigid wall, tolerance {} of 1-eps^2; made by `make results`. Columns: "
-        "docs/results/spheres.md.\n",
+        "docs/understand/findings/spheres.md.\n",
         tolerance);
     out.print(
         "poisson,speed[c],restitution,restitution_error,lost_fraction,lost_fraction_error,contact_time[R/c],"

@@ -11,11 +11,9 @@ from tables import having, table  # noqa: E402
 
 BLUE, VERMILION, GREEN, PURPLE, SKY, BLACK = "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "black"
 BODIES = {"sphere": (BLUE, "o"), "disk": (VERMILION, "s")}
-TEMPERATURES = {1e-4: (BLACK, "-"), 1e-3: (BLUE, "--"), 1e-2: (GREEN, "-."), 0.1: (VERMILION, "-"), 1.0: (PURPLE, "-")}
 ENERGIES = {0.01: (BLUE, "o"), 0.1: (GREEN, "s"), 1.0: (VERMILION, "^")}
 DAMPING = {"none": (BLUE, "-"), "partial": (GREEN, "--"), "complete": (VERMILION, "-.")}
 POISSON = {"sphere": 0.3, "disk": 0.33}
-POWERS = {1e-4: "10⁻⁴", 1e-3: "10⁻³", 1e-2: "0.01", 0.1: "0.1", 1.0: "1"}
 
 
 def column(rows, name):
@@ -59,23 +57,6 @@ def draw_amplitudes(axes, rows):
     axes.set(xscale="log", yscale="log", xlim=ends, ylim=ends)
     axes.set(xlabel="$\\sqrt{e_k}\\;/\\;ε_0$", ylabel="amplitude $a_k$")
     axes.legend(frameon=False, fontsize=7, loc="upper left", handletextpad=0.1)
-
-
-def draw_histograms(axes, samples, summaries, body):
-    """Of ε, in units of its spread by the law of small temperatures."""
-    edges = [0.5 * k for k in range(-10, 9)]
-    for temperature, (color, line) in TEMPERATURES.items():
-        (its,) = having(summaries, body=body, temperature=temperature)
-        found = [(row["restitution"] - its["restitution_from_rest"]) / its["law"]
-                 for row in having(samples, body=body, temperature=temperature)]  # fmt: skip
-        axes.hist(found, edges, density=True, histtype="step", color=color, linestyle=line,
-                  label=f"T = {POWERS[temperature]}")  # fmt: skip
-    normal = [0.05 * k for k in range(-80, 81)]
-    axes.plot(normal, [math.exp(-0.5 * x * x) / math.sqrt(2 * math.pi) for x in normal], color="0.5", linewidth=2.5,
-              alpha=0.5, label="normal")  # fmt: skip
-    axes.set(xlim=(-5, 4), ylim=(0, 0.68), xlabel="(ε − ε₀) / (σ by the law of small T)", ylabel="density")
-    axes.set_title(at(body, [its]), fontsize=8)
-    axes.legend(frameon=False, fontsize=7, ncols=3, loc="upper center", columnspacing=0.8, handlelength=1.6)
 
 
 def draw_spread(axes, summaries):
@@ -169,20 +150,20 @@ def main():
     draw_amplitudes(right, table(tables, "modes"))
     figure.savefig(pictures / "vibration_phase.png")
 
-    samples, summaries = table(tables, "samples"), table(tables, "temperatures")
-    figure, axes = pyplot.subplots(2, 2, figsize=(7, 5.6), dpi=150, layout="constrained")
-    draw_histograms(axes[0, 0], samples, summaries, "sphere")
-    draw_histograms(axes[0, 1], samples, summaries, "disk")
-    draw_spread(axes[1, 0], summaries)
-    draw_heat(axes[1, 1], table(tables, "heat"))
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(7, 2.8), dpi=150, layout="constrained")
+    draw_spread(left, table(tables, "temperatures"))
+    draw_heat(right, table(tables, "heat"))
     figure.savefig(pictures / "vibration_temperature.png")
 
-    figure, axes = pyplot.subplots(2, 2, figsize=(7, 5.6), dpi=150, layout="constrained")
-    draw_bounces(axes[0, 0], table(tables, "bounces"))
-    draw_shares(axes[0, 1], table(tables, "shares"))
-    draw_chain(axes[1, 0], table(tables, "chain"))
-    draw_chain_restitution(axes[1, 1], table(tables, "chain_restitution"))
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(7, 2.8), dpi=150, layout="constrained")
+    draw_bounces(left, table(tables, "bounces"))
+    draw_shares(right, table(tables, "shares"))
     figure.savefig(pictures / "vibration_sequences.png")
+
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(7, 2.8), dpi=150, layout="constrained")
+    draw_chain(left, table(tables, "chain"))
+    draw_chain_restitution(right, table(tables, "chain_restitution"))
+    figure.savefig(pictures / "vibration_chain.png")
 
 
 if __name__ == "__main__":

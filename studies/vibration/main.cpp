@@ -1,4 +1,5 @@
-// Bodies that vibrate before they meet a wall or each other: one table for each picture of docs/results/vibration.md.
+// Bodies that vibrate before they meet a wall or each other: one table for each picture of
+// docs/understand/findings/vibration.md.
 #include <fmt/format.h>
 
 #include <cstdio>

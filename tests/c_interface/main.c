@@ -18,7 +18,7 @@ static int count_to_two(void* context) {
   return *calls >= 2;
 }
 
-/* The number of docs/programs.md: nu = 0.33 at 0.1 c. */
+/* The number of docs/reference/c.md: nu = 0.33 at 0.1 c. */
 static int one_speed(void) {
   stoss_body* disk = NULL;
   stoss_contact* contact = NULL;

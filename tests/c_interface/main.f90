@@ -1,4 +1,4 @@
-! A user's program in Fortran: the disk of docs/programs.md, a function of the speed, a refusal and a poll.
+! A user's program in Fortran: the disk of docs/reference/c.md, a function of the speed, a refusal and a poll.
 program main
   use, intrinsic :: iso_c_binding
   use stoss

@@ -50,10 +50,10 @@ header)  # the header alone, in C++ of any age and in C after C89
   "$CXX" -std=c++20 "${sanitizers[@]}" "$out/main.cpp" "${flags[@]}" $(pkg-config --libs stoss) -o "$out/main"
   "$out/main"
   ;;
-page)  # the program of docs/programs.md says what it says that it says
+page)  # the program of docs/reference/c.md says what it says that it says
   needed cc
   sanitized && skip "the same as without sanitizers"
-  sed -n '/^```c$/,/^```$/p' "$here/../../docs/programs.md" | sed '/^```/d' >"$out/main.c"
+  sed -n '/^```c$/,/^```$/p' "$here/../../docs/reference/c.md" | sed '/^```/d' >"$out/main.c"
   cc "${strict[@]}" "$out/main.c" $(pkg-config --cflags --libs stoss) -o "$out/main"
   got=$("$out/main")
   said=$(sed -n 's|.*/\* \(0\.[0-9]* +- [0-9.]*\) \*/$|\1|p' "$out/main.c")

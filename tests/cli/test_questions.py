@@ -12,7 +12,7 @@ from conftest import rows
 pytestmark = pytest.mark.numbers  # under sanitizers parts/test_answers.cpp asks the same
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGE = (ROOT / "docs/versions.md").read_text(encoding="utf-8").partition("## Formats")[2]
+PAGE = (ROOT / "docs/developer/versions.md").read_text(encoding="utf-8").partition("## Formats")[2]
 FORMATS = {row.split("|")[1].strip(): row.split("|")[2].strip(" `") for row in re.findall(r"^\| .*$", PAGE, re.M)[1:]}
 MANUAL = (ROOT / "cli/stoss.1.in").read_text(encoding="utf-8")
 WORDS = set(re.findall(r"[a-z]+(?:_[a-z]+)*", MANUAL.replace("\\f", " ")))

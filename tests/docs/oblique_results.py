@@ -8,7 +8,9 @@ import statistics
 from conftest import ROOT, page
 from conftest import table as table_of
 
-PAGE, WORDS = page("docs/results/oblique.md")
+PAGE, WORDS = page("docs/understand/findings/oblique.md")
+CODES, CODES_WORDS = page("docs/understand/findings/particle_codes.md")
+MEASURED_WORDS = page("docs/understand/measured.md")[1]
 FASTER = (1e-6, 1e-3, 0.1)
 
 

@@ -1,4 +1,5 @@
-"""What docs/any_body.md prints and tells of the bodies in examples/any_body is what the command says of them."""
+"""What docs/tutorials/cad.md, docs/understand/findings/any_body.md and docs/developer/bodies.md
+print and tell of the bodies in examples/any_body is what the command says of them."""
 
 import os
 import re
@@ -8,7 +9,7 @@ import subprocess
 import pytest
 from conftest import ROOT, command, page, with_error
 
-PAGE, _ = page("docs/any_body.md")
+PAGE = "".join(page(f"docs/{name}.md")[0] for name in ("tutorials/cad", "understand/findings/any_body", "developer/bodies"))
 BODIES = ROOT / "examples/any_body"
 
 

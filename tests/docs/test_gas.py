@@ -1,4 +1,4 @@
-"""The numbers of docs/results/gas.md: those of its CSV file and of the command."""
+"""The numbers of docs/understand/findings/gas.md: those of its CSV file and of the command."""
 
 import itertools
 import math
@@ -7,7 +7,7 @@ import re
 import pytest
 from conftest import ROOT, command, line, page, power, table
 
-PAGE, WORDS = page("docs/results/gas.md")
+PAGE, WORDS = page("docs/understand/findings/gas.md")
 FILE = "docs/results/gas.csv"
 NAMES = {"constant": "constant ε", "power": "1 − ε ∝ $v^{1/5}$", "stoss": "stoss"}
 ROWS = {law: [row for row in table(FILE) if row["law"] == law] for law in NAMES}
@@ -54,7 +54,7 @@ def test_times(law):
 def test_laws_take_the_same():
     constant, factor = re.search(r"restitution ([\d.]+), power: 1 - ([\d.]+)", (ROOT / FILE).read_text()).groups()
     assert f"ε = {float(constant):.5f};" in WORDS and f"= {float(factor):.5f} (v/c)^{{1/5}}$" in WORDS
-    assert f"line of centres, {1 - float(constant) ** 2:.2f}:" in WORDS
+    assert f"remove {1 - float(constant) ** 2:.2f} of the energy of the motion along the line of centres:" in WORDS
 
 
 def test_the_homogeneous_gas():

@@ -29,19 +29,18 @@ def test_ratios_of_size_are_those_that_the_pages_name():
     spheres = largest("restitution --body sphere --poisson 0.3 --speed 0.1 --tolerance 0.1", "sphere")
     at_an_angle = largest("oblique --body disk --poisson 0.3 --speed 0.1 --tangential 0.1 --friction 0.2 --tolerance 0.2", "disk")
     assert stoss("restitution --body disk --poisson 0.3 --speed 0.1 --against disk,radius=1000").returncode == 0
-    for name in ("README.md", "docs/cpp.md"):
-        _, words = page(name)
-        assert re.search(rf"\b{spheres} times\b", words) and re.search(rf"\b{at_an_angle} times\b", words), name
+    _, words = page("docs/reference/limits.md")
+    assert f"of two spheres over the other | {spheres} times" in words and f"at an angle | {at_an_angle} times" in words
 
 
 @pytest.mark.parametrize("speed, code", [("1e-8", 0), ("0.99e-8", 3), ("1", 0), ("1.01", 3)])
-def test_range_of_speeds_is_that_of_the_readme(speed, code):
-    assert "10⁻⁸ c to c" in page("README.md")[1]
+def test_range_of_speeds_is_that_of_the_page(speed, code):
+    assert "10⁻⁸ c to c" in page("docs/reference/limits.md")[1]
     assert stoss(f"impact --body disk --poisson 0.3 --cutoff 5 --speed {speed}").returncode == code
 
 
 def test_v_of_the_results_is_the_speed_of_each_of_two_equal_bodies():
-    row = re.search(r"^\| 0\.01 \|(.*)\|$", page("docs/results/oblique.md")[0], re.MULTILINE)[1].split("|")
+    row = re.search(r"^\| 0\.01 \|(.*)\|$", page("docs/understand/findings/oblique.md")[0], re.MULTILINE)[1].split("|")
     shown = float(row[2])  # x = 1
     for partner, factor in (("wall", 1), ("same", 2)):
         run = stoss(f"oblique --body sphere --poisson 0.3 --against {partner} --speed {0.01 * factor}",
@@ -54,9 +53,9 @@ def test_friction_of_a_body_by_its_modes_needs_a_tangent():
     body = f"--body sphere --material glass --radius 0.005 --against @{ROOT}/examples/any_body/bar.json"
     refused = stoss(f"oblique {body} --speed 0.1 --tangential 0.1 --friction 0.1")
     assert refused.returncode == 3 and "tangent" in refused.stderr
-    assert "`tangent`" in page("docs/any_body.md")[1] and "`tangent`" in page("docs/python.md")[1]
+    assert "`tangent`" in page("docs/tutorials/cad.md")[1] and "`tangent`" in page("docs/reference/limits.md")[1]
 
 
 def test_programs_in_python_are_counted():
     count = len(list((ROOT / "examples").glob("[0-9]*.py")))
-    assert f"has {count} short programs" in page("docs/python.md")[1]
+    assert f"has {count} short programs" in page("docs/reference/python.md")[1]

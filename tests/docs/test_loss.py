@@ -1,4 +1,4 @@
-"""The numbers of docs/results/loss.md: those of its CSV file."""
+"""The numbers of docs/understand/findings/loss.md: those of its CSV file."""
 
 import itertools
 import math
@@ -8,7 +8,7 @@ import runpy
 import pytest
 from conftest import ROOT, SUPERSCRIPTS, command, line, page, table, with_error
 
-PAGE, WORDS = page("docs/results/loss.md")
+PAGE, WORDS = page("docs/understand/findings/loss.md")
 CURVES = (0.0, 0.003, 0.01, 0.03, 0.1)
 SPEEDS = 120
 ROWS = table("docs/results/loss.csv")
@@ -77,7 +77,7 @@ def test_slow_balls_are_stiffer_than_hertz():
     speeds = (1e-6, 1e-3)  # of four
     job = "restitution --body sphere --poisson 0.3 --absolute 0 --quiet --speed " + ",".join(map(str, speeds))
     lossy, elastic = command(f"{job} --tolerance 1e-4 --loss-time 0.01"), command(job)
-    _, theory = page("docs/theory/loss.md")
+    _, theory = page("docs/developer/derivations/loss.md")
     said = re.search(r"exceeds it by (.*?) % at .*? errors of (\S+) %", theory)
     values = [float(each) for each in re.findall(r"\d\.\d", said[1])][::3]
     first, second = 0.8 * 1.25**0.6 * math.gamma(0.6) * math.gamma(1.5) / math.gamma(2.1), 1.08872

@@ -1,4 +1,4 @@
-"""The tables of docs/numerics.md that the command, a script or docs/validation.md gives. (Those whose numbers come from
+"""The tables of docs/developer/numerics.md that the command, a script or docs/developer/validation.md gives. (Those whose numbers come from
 changed versions of the program, or from hours of computing, are not here.)"""
 
 import json
@@ -10,8 +10,8 @@ import sys
 import pytest
 from conftest import ROOT, command, line, page, power, sampled, with_error
 
-PAGE, WORDS = page("docs/numerics.md")
-VALIDATION, _ = page("docs/validation.md")
+PAGE, WORDS = page("docs/developer/numerics.md")
+VALIDATION, _ = page("docs/developer/validation.md")
 POWERS = {1e-2: "10⁻²", 1e-3: "10⁻³", 1e-4: "10⁻⁴"}
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-THEORY = sorted((ROOT / "docs/theory").glob("*.md"))
+THEORY = sorted((ROOT / "docs/developer/derivations").glob("*.md"))
 
 
 PAGES = [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").rglob("*.md"))]
@@ -72,19 +72,21 @@ def test_files_that_a_page_names_exist(page):
     assert not [name for name in named if not (ROOT / name).exists() and not (own / name).exists()]
 
 
-def test_chapters_of_the_theory_are_all_in_its_index():
-    index = (ROOT / "docs/theory/README.md").read_text(encoding="utf-8")
-    assert THEORY and all(f"]({page.name})" in index for page in THEORY if page.name != "README.md")
+@pytest.mark.parametrize("folder", ["docs/theory", "docs/developer/derivations"])
+def test_chapters_of_the_theory_are_all_in_its_index(folder):
+    index = (ROOT / folder / "README.md").read_text(encoding="utf-8")
+    chapters = {page.name for page in (ROOT / folder).glob("*.md")} - {"README.md"}
+    assert chapters and all(f"]({name})" in index for name in chapters)
 
 
 def test_letters_with_several_meanings_are_in_the_chapters_that_are_named():
-    index = (ROOT / "docs/theory/README.md").read_text(encoding="utf-8")
-    section = index.partition("### Letters with several meanings")[2].partition("\n## ")[0]
+    index = (ROOT / "docs/developer/derivations/README.md").read_text(encoding="utf-8")
+    section = index.partition("## Letters with several meanings")[2].partition("\n## ")[0]
     lines = re.findall(r"^\| \$(\S+)\$ \| (.*) \|$", section, re.MULTILINE)
     assert len(lines) > 10
     for letter, meanings in lines:
         for chapter in re.findall(r"\]\((\w+\.md)\)", meanings):
-            text = (ROOT / "docs/theory" / chapter).read_text(encoding="utf-8")
+            text = (ROOT / "docs/developer/derivations" / chapter).read_text(encoding="utf-8")
             formulas = re.findall(r"```math\n(.*?)```", text, re.DOTALL) + re.findall(r"\$([^$\n]+)\$", text)
             before = "" if letter.startswith("\\") else r"(?<![a-zA-Z\\])"
             assert re.search(rf"{before}{re.escape(letter)}(?![a-zA-Z])", " ".join(formulas)), (letter, chapter)
@@ -98,7 +100,7 @@ def included(folder):
 
 
 def test_dependencies_of_the_core_are_those_that_it_includes():
-    page = (ROOT / "docs/dependencies.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs/developer/dependencies.md").read_text(encoding="utf-8")
     rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in page.splitlines() if line.startswith("| ")]
     said = {row[0].split()[0] for row in rows if "core" in row[-1]}
     names = {"Eigen": "Eigen", "boost/math": "Boost.Math", "boost/multiprecision": "Boost.Multiprecision",
@@ -202,10 +204,10 @@ def test_arrows_between_the_rooms_are_the_includes():
 
 def test_every_figure_has_the_code_that_draws_it():
     images = ROOT / "docs/images"
-    page = (images / "README.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs/developer/figures.md").read_text(encoding="utf-8")
     rows = [row.split("|")[1:3] for row in re.findall(r"^\| `.*$", page, re.MULTILINE)]
     drawn = {name: source for figures, source in rows for name in re.findall(r"`([\w.]+)`", figures)}
-    assert set(drawn) == {file.name for file in images.iterdir() if file.suffix in (".png", ".svg")}
+    assert set(drawn) == {file.name for file in images.iterdir() if file.suffix in (".png", ".svg", ".gif")}
     for name, source in drawn.items():
         files = [ROOT / file for file in re.findall(r"`([\w/.]+)`", source)]
         text = "\n".join(file.read_text(encoding="utf-8") for file in [*files, ROOT / "Makefile"])

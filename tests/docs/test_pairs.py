@@ -1,4 +1,4 @@
-"""The numbers of docs/results/pairs.md: those of its CSV file, and those of the command."""
+"""The numbers of docs/understand/findings/pairs.md: those of its CSV file, and those of the command."""
 
 import math
 import re
@@ -6,7 +6,7 @@ import re
 import pytest
 from conftest import command, line, page, table, with_error
 
-PAGE, WORDS = page("docs/results/pairs.md")
+PAGE, WORDS = page("docs/understand/findings/pairs.md")
 SPEEDS = (0.01, 0.1, 0.3)
 ROWS = {(row["radius_ratio"], row["speed"]): row for row in table("docs/results/pairs.csv")}
 RATIOS = sorted({ratio for ratio, _ in ROWS})
@@ -23,23 +23,11 @@ def test_what_the_file_holds():
     assert all(row["converged"] == "true" for row in ROWS.values())
 
 
-@pytest.mark.parametrize("ratio", (1, 1.2, 1.5, 2, 3, 5, 10, 20))
+@pytest.mark.parametrize("ratio", (1, 1.5, 2, 5, 20))
 def test_table_of_restitution(ratio):
     names = ("restitution", "lost_fraction")
     cells = [with_error(row[name], row[f"{name}_error"]) for name in names for row in of(ratio)]
     cells.insert(3, f"{of(ratio)[0]['restitution_of_rods']:.3f}")
-    assert line(f"{ratio:g}", *cells) in PAGE
-
-
-@pytest.mark.parametrize("ratio", (1, 1.5, 2, 3, 5, 20))
-def test_who_takes_the_loss(ratio):
-    cells = (f"{row['lost_to_smaller']:.3f} + {row['lost_to_larger']:.3f}" for row in of(ratio))
-    assert line(f"{ratio:g}", *cells) in PAGE
-
-
-@pytest.mark.parametrize("ratio", (2, 3, 5, 10, 20, 40))
-def test_table_of_impulses(ratio):
-    cells = [f"{row[name]:.{digits}f}" for row in of(ratio) for name, digits in (("contact_time", 2), ("impulse", 4))]
     assert line(f"{ratio:g}", *cells) in PAGE
 
 
@@ -48,11 +36,11 @@ def test_claims_about_the_loss():
     least = min(LOSS[0.01])
     assert f"from {equal[0]:.4f} to {least:.4f} at R₂/R₁ = {RATIOS[LOSS[0.01].index(least)]:g}" in WORDS
     by_two, by_twenty = ([a / b for a, b in zip(its, equal)] for its in (double, twenty))
-    said = f"At R₂/R₁ = 2 the loss is {round(min(by_two))} to {max(by_two):.1f} times that of equal disks"
+    said = f"At a ratio of radii of 2 the loss is {round(min(by_two))} to {max(by_two):.1f} times that of equal disks"
     assert f"{said}, at 20 it is {round(min(by_twenty))} to {round(max(by_twenty))} times" in WORDS
     shares = [[100 * ROWS[ratio, speed]["lost_to_smaller"] for ratio in RATIOS] for speed in SPEEDS]
     said = [f"{min(its):.1f} to {max(its):.1f} %".replace(".0 %", " %") for its in shares]
-    assert f"absorbs {said[0]} at v = 0.01, {said[1]} at 0.1 and {said[2]} at 0.3" in WORDS
+    assert f"absorbs {said[0]} of the energy at v = 0.01 c, {said[1]} at 0.1 c and {said[2]} at 0.3 c" in WORDS
 
 
 def test_where_the_loss_falls_first():
@@ -75,7 +63,7 @@ def test_the_limit_is_a_half_plane():
     known = re.search(r"extrapolate to ([\d.]+)\((\d)\), ([\d.]+)\((\d)\) and ([\d.]+)\((\d)\) m₁v", WORDS).groups()
     for limit, value in zip(limits, known[::2]):
         assert abs(limit - float(value)) <= 0.6e-4
-    losses = re.search(r"loses 1 − ε² = ([\d.]+)\((\d)\), ([\d.]+)\((\d)\) and ([\d.]+)\((\d)\) on", WORDS).groups()
+    losses = re.search(r"1 − ε² is ([\d.]+)\((\d)\), ([\d.]+)\((\d)\) and ([\d.]+)\((\d)\) at v", WORDS).groups()
     for limit, value in zip(limits, losses[::2]):
         assert abs(1 - (limit - 1) ** 2 - float(value)) <= 1e-4
     largest = max(abs(ROWS[ratio, speed]["impulse"] / limit - 1)
@@ -86,7 +74,7 @@ def test_the_limit_is_a_half_plane():
         assert row["restitution"] == pytest.approx(row["impulse"] * (1 + ratio**-2) - 1, abs=2e-4)
 
 
-@pytest.mark.parametrize("ratio", (50, 100, 300, 1000))
+@pytest.mark.parametrize("ratio", (50, 1000))
 def test_still_larger_disks(ratio):
     job = f"restitution --body disk --poisson 0.33 --against disk,radius={ratio} --speed {','.join(map(str, SPEEDS))}"
     found = command(f"{job} --tolerance 2.5e-4")

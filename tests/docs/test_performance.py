@@ -1,5 +1,5 @@
 """Times depend on a machine, so no test can repeat them; but what pages say of them must be what the tables of
-docs/performance.md and docs/validation.md hold."""
+docs/developer/benchmarks.md and docs/developer/validation.md hold."""
 
 import math
 import re
@@ -7,8 +7,8 @@ import re
 import pytest
 from conftest import page
 
-PAGE, WORDS = page("docs/performance.md")
-VALIDATION, VALIDATION_WORDS = page("docs/validation.md")
+PAGE, WORDS = page("docs/developer/benchmarks.md")
+VALIDATION, VALIDATION_WORDS = page("docs/developer/validation.md")
 
 
 def rows(first):
@@ -175,7 +175,7 @@ def test_oblique_claims():
 
 
 def over_the_whole_range():
-    """Of each tolerance what docs/validation.md measures: converged, cutoff, and times: median, 99 %, longest."""
+    """Of each tolerance what docs/developer/validation.md measures: converged, cutoff, and times: median, 99 %, longest."""
     line = r"^\| (0\.\d+) \| (\d+) of 240 \| (\d+) \| ([\d.]+) \| (\d+) \| (\d+) \|"
     found = re.findall(line, VALIDATION, re.MULTILINE)
     return {float(tolerance): rest for tolerance, *rest in found}
@@ -187,14 +187,14 @@ RANGE = over_the_whole_range()
 def test_times_that_others_quote():
     _, _, median, most, _ = RANGE[1e-3]
     said = rf"takes {re.escape(median)} ms in the median(?:, {most} ms or more in one case of a hundred)?"
-    python = page("docs/python.md")[1]
-    for other in ("README.md", "docs/python.md", "docs/paper/paper.md", "python/stoss/results/_restitution.py"):
+    guide = page("docs/howto/accuracy.md")[1]
+    for other in ("README.md", "docs/howto/accuracy.md", "docs/paper/paper.md", "python/stoss/results/_restitution.py"):
         text = page(other)[1]
         every = re.findall(r"takes [\d.]+ m?s in the median(?:, [\d.]+ m?s or more in one case of a hundred)?", text)
         assert len(every) == 1 and re.fullmatch(said, every[0]), (other, every)
-        assert ("one case of a hundred" in every[0]) == (other in ("docs/python.md", "python/stoss/results/_restitution.py"))
+        assert ("one case of a hundred" in every[0]) == (other in ("docs/howto/accuracy.md", "python/stoss/results/_restitution.py"))
     _, _, finer, slowest, _ = RANGE[1e-4]
-    found = re.search(r"tolerance of 10⁻⁴ ([\d.]+) ms and ([\d.]+) s", python)
+    found = re.search(r"tolerance of 10⁻⁴ ([\d.]+) ms and ([\d.]+) s", guide)
     assert found[1] == finer and rounded(float(slowest) / 1e3, found[2]) and len(found[2]) >= len("0.72")
 
 
@@ -205,7 +205,7 @@ def test_coverage_of_fast_disks_that_others_quote():
     both = rf"for fast disks \(0.1 to 0.6 c\) (?:in )?{at['10⁻³']} % at the tolerance 10⁻³ and {at['10⁻⁴']} % at 10⁻⁴"
     others = {  # tests/docs/test_paper.py has the paper
         "README.md": rf"{at['10⁻³']} % for fast disks, 0.1 to 0.6 c",
-        "docs/python.md": rf"at the default tolerance [^.]*, for fast disks \(0.1 to 0.6 c\) {at['10⁻³']} %",
+        "docs/howto/accuracy.md": rf"at the default tolerance [^.]*, for fast disks \(0.1 to 0.6 c\) {at['10⁻³']} %",
         "include/stoss/restitution/restitution.hpp": both,
         "python/stoss/results/_restitution.py": both,
     }

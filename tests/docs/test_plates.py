@@ -1,12 +1,13 @@
-"""The numbers of docs/results/plates.md and docs/theory/plates.md are those of the tables in docs/results/plates."""
+"""The numbers of docs/understand/findings/plates.md and docs/theory/plates.md are those of the tables in docs/results/plates."""
 
 import itertools
 import math
+import re
 
 import pytest
 from conftest import ROOT, line, page, rows, table, with_error
 
-PAGE, WORDS = page("docs/results/plates.md")
+PAGE, WORDS = page("docs/understand/findings/plates.md")
 THEORY, _ = page("docs/theory/plates.md")
 FAST, MAP, BLOCK, LAYERS = (table(f"docs/results/plates/{name}.csv") for name in ("fast", "map", "block", "layers"))
 # Both speeds and both thicknesses have a unit more in this table.
@@ -16,26 +17,12 @@ PAIRS = (("bearing steel", "bearing steel"), ("bearing steel", "glass"), ("glass
 SOLIDS = {"bearing steel": (2.1e11, 0.3, 7810), "glass": (7e10, 0.22, 2500), "ice": (9.3e9, 0.33, 917)}
 
 
-def thickness(value):
-    return "block" if math.isinf(value) else f"{value:g}"
-
-
-FAST_LINES = [
-    line(row["ball"], thickness(row["thickness"]), f"{row['speed']:g}",
-         with_error(row["lost_fraction"], row["lost_fraction_error"]),
-         with_error(row["elements"], row["elements_error"]), f"{row['zener_lost_fraction']:.3f}" if row["thickness"] < 1e9 else "–")
-    for row in FAST if row["elements"] != ""
-]  # fmt: skip
-
-
-@pytest.mark.parametrize("cells", FAST_LINES)
-def test_table_of_finite_elements(cells):
-    assert cells in PAGE
-
-
 def test_finite_elements_are_within_both_errors():
     both = [row for row in FAST if row["elements"] != ""]
     assert len(both) == 17 and f"all {len(both)}" in WORDS
+    (row,) = [row for row in both if (row["ball"], row["thickness"], row["speed"]) == ("elastic", 2, 0.1)]
+    assert f"1 − ε² = {with_error(row['elements'], row['elements_error'])} on a plate" in WORDS
+    assert f"stoss gives {with_error(row['lost_fraction'], row['lost_fraction_error'])}" in WORDS
     assert all(abs(row["lost_fraction"] - row["elements"]) < row["lost_fraction_error"] + row["elements_error"] for row in both)
 
 
@@ -47,10 +34,10 @@ def of(ball, plate, speed):
 
 def materials_lines():
     its = [of(*pair, 0.5) for pair in PAIRS]
-    for wanted in (0.4, 0.5, 0.63, 0.8, 1, 2, 4, 10, 20, math.inf):
+    for wanted in (0.4, 0.63, 1, 2, 10, math.inf):
         h = min(its[0], key=lambda each: abs(math.log(each / wanted)) if math.isfinite(each + wanted) else each != wanted)
         mm = "block" if math.isinf(h) else f"{5 * h:.3g} mm"
-        cells = [f"{each[h]['restitution']:.4f}" for each in its]
+        cells = [f"{each[h]['restitution']:.4f}" for each in its[:2]]
         yield line(mm, *cells, "1" if math.isinf(h) else f"{its[0][h]['zener']:.4f}", f"{its[1][h]['contact_time'] * 1e6:.1f}")
 
 
@@ -86,9 +73,9 @@ def block_lines():
         yield pair, found[0.01], line(pair.replace("nu=", "ν = "), *cells)
 
 
-@pytest.mark.parametrize("cells", [cells for _, _, cells in block_lines()])
-def test_table_of_blocks(cells):
-    assert cells in PAGE
+def test_table_of_blocks():
+    shown = [cells for _, _, cells in block_lines() if cells in PAGE]
+    assert len(shown) == len(re.findall(r"^\| .* … .* \|$", PAGE, re.MULTILINE)) == 3
 
 
 def test_formula_for_a_block():
@@ -109,11 +96,11 @@ def test_zener_never_says_too_much():
     error = [1 - (1 - row["zener"] ** 2) / row["lost_fraction"] for row in MAP]
     weak = [row for row in MAP if 0.0 < row["restitution"] <= 0.08]
     strong = [each > -1.5 * row["lost_fraction_error"] for each, row in zip(error, MAP) if row["restitution"] > 0.08]
-    assert all(strong) and "wherever ε is above 0.08" in WORDS
+    assert all(strong) and "Wherever ε is above 0.08" in WORDS
     assert all(1 - row["zener"] ** 2 - row["lost_fraction"] < 5e-5 for row in weak) and "at most 5·10⁻⁵" in WORDS
     too_weak = min(row["zener"] / row["restitution"] - 1 for row in weak if row["speed"] < 2e-3)
     assert f"by up to {-100 * too_weak:.0f} %" in WORDS
-    assert f"{len(MAP)} impacts" in WORDS and "all reach the tolerance of 10⁻³" in WORDS
+    assert f"{len(MAP)} impacts" in WORDS
     assert all(row["converged"] == "true" for row in MAP)
 
 
@@ -156,7 +143,7 @@ def test_nothing_yields_that_is_not_said_to():
     assert all(row["yield_speed"] == "" or row["speed"] < float(row["yield_speed"]) for row in MATERIALS)
     beyond = {row["what"]: float(row["yield_speed"]) for row in LAYERS if float(row["yield_speed"]) < 0.2}
     assert beyond == {"aluminium": 0.0223} and "at 0.2 m/s" in WORDS
-    assert "Aluminium yields from 0.022 m/s: read its line, at nine times that" in WORDS
+    assert "Aluminium yields from 0.022 m/s" in WORDS
 
 
 def test_layers():
@@ -170,7 +157,7 @@ def test_layers():
 
 def test_duration_of_the_picture():
     (row,) = [row for row in FAST if (row["ball"], row["thickness"], row["speed"]) == ("elastic", 2, 0.1)]
-    assert f"the contact lasts {row['contact_time']:.2f} R/c" in WORDS
+    assert f"contact lasts {row['contact_time']:.2f} R/c" in THEORY
 
 
 def test_numbers_of_the_theory():
@@ -191,5 +178,5 @@ def test_table_of_zener():
 
 
 if __name__ == "__main__":
-    for each in (*FAST_LINES, "", *materials_lines(), "", *(cells for _, _, cells in block_lines())):
+    for each in (*materials_lines(), "", *(cells for _, _, cells in block_lines())):
         print(each)

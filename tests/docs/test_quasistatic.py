@@ -1,4 +1,4 @@
-"""The numbers of Rayleigh's estimate in docs/theory/quasistatic.md: those of the command and of the results."""
+"""The numbers of Rayleigh's estimate in docs/developer/derivations/quasistatic.md: those of the command and of the results."""
 
 import json
 import os
@@ -7,7 +7,7 @@ import subprocess
 import pytest
 from conftest import command, line, page, table
 
-PAGE, WORDS = page("docs/theory/quasistatic.md")
+PAGE, WORDS = page("docs/developer/derivations/quasistatic.md")
 SPEEDS = (1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 0.001, 0.003, 0.01, 0.02, 0.03, 0.1)
 ALL = ",".join(map(str, SPEEDS))
 

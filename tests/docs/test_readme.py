@@ -1,16 +1,17 @@
-"""README is short and shows how to begin; what it and docs/python.md say of accuracy is what the validation has found;
+"""README is short and shows how to begin; its numbers are those of tables and of the validation; every page is in the contents;
 the page of the C++ library quotes programs that are built and run (tests/downstream)."""
 
 import re
 from pathlib import Path
 
 import pytest
+from conftest import table
 
 ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 PROSE = " ".join(README.split())
-GUIDE = " ".join((ROOT / "docs/python.md").read_text(encoding="utf-8").split())
-VALIDATION = (ROOT / "docs/validation.md").read_text(encoding="utf-8")
+GUIDE = " ".join((ROOT / "docs/howto/accuracy.md").read_text(encoding="utf-8").split())
+VALIDATION = (ROOT / "docs/developer/validation.md").read_text(encoding="utf-8")
 DEFAULT = "0.001"  # the tolerance of which README speaks
 
 
@@ -30,10 +31,30 @@ def test_it_shows_how_to_begin(line):
     assert line in README
 
 
-def test_pages_that_it_lists_are_all_there_are():
-    table = README.partition("## Read on")[2]
-    pages = {page.name for page in (ROOT / "docs").glob("*.md")} - {"index.md", "dependencies.md", "numerics.md"}
-    assert pages <= set(re.findall(r"\]\(docs/(\w+\.md)\)", table))
+def test_every_page_is_in_the_contents():
+    index = (ROOT / "docs/index.md").read_text(encoding="utf-8")
+    listed = re.findall(r"^(?:.* <)?([a-z_]+/[\w/]+|architecture|CONTRIBUTING|CHANGELOG)>?$", index, re.MULTILINE)
+    pages = {str(page.relative_to(ROOT / "docs").with_suffix("")) for page in (ROOT / "docs").rglob("*.md")}
+    pages -= {page for page in pages if page.startswith("paper/")} | {"index"}
+    made = {"examples/index", "CONTRIBUTING", "CHANGELOG"}
+    made |= {f"reference/{name}/index" for name in ("python", "cpp", "command")}
+    assert sorted(listed) == sorted(pages | made)
+
+
+def test_rebound_along_the_surface_is_that_of_the_tables():
+    rows = table("docs/results/oblique/dem.csv")
+    mindlin = ("history", "rescale", "force", "rescale_force")
+    springs = [row["tangential_restitution"] for row in rows if row["law"] in mindlin and row["x"] <= 1]
+    low, high = re.search(r"Mindlin's stiffness give ε_t from −([\d.]+) to −([\d.]+)", PROSE).groups()
+    assert (low, high) == (f"{-min(springs):.2f}", f"{-max(springs):.2f}")
+    slow = [row["tangential_restitution"] for row in table("docs/results/oblique/curves.csv")
+            if row["bodies"] == "sphere" and row["speed"] <= 1e-3 and row["x"] <= 1]  # fmt: skip
+    assert "has −0.2 to 0.2" in PROSE and (round(min(slow), 1), round(max(slow), 1)) == (-0.2, 0.2)
+    balls = [row for row in table("docs/results/oblique/superball.csv") if row["bodies"] == "sphere"]
+    at_first = max(row["tangential_restitution"] for row in balls if row["speed"] <= 1e-4)
+    assert "less than 0.65 of their sliding" in PROSE and 0.6 < at_first < 0.65
+    best = max(balls, key=lambda row: row["tangential_restitution"])
+    assert f"{best['speed']:g} c, and {best['tangential_restitution']:.2f} comes back" in PROSE
 
 
 def test_share_of_true_errors_within_the_estimates_is_that_of_the_validation():
@@ -52,7 +73,7 @@ def test_times_are_those_of_the_validation():
 
 
 def test_page_of_the_library_quotes_its_examples():
-    page = (ROOT / "docs/cpp.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs/reference/cpp.md").read_text(encoding="utf-8")
     folder = ROOT / "examples/library"
     for name in ("impact.cpp", "pairs.cpp", "oblique.cpp", "CMakeLists.txt"):
         assert f"```{'cmake' if name == 'CMakeLists.txt' else 'cpp'}\n{(folder / name).read_text()}```" in page, name
@@ -60,7 +81,7 @@ def test_page_of_the_library_quotes_its_examples():
 
 
 def test_page_of_the_library_shows_what_they_print():
-    page = (ROOT / "docs/cpp.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs/reference/cpp.md").read_text(encoding="utf-8")
     shown = re.findall(r"```text\n(.*?)```", page, re.DOTALL)
     names = ("impact", "pairs", "oblique")
     expected = [(ROOT / f"tests/downstream/{name}.txt").read_text(encoding="utf-8") for name in names]

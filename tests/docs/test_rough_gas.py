@@ -1,4 +1,4 @@
-"""The numbers of docs/results/rough_gas.md: those of its CSV file."""
+"""The numbers of docs/understand/findings/gas.md: those of its CSV file."""
 
 import itertools
 import math
@@ -7,7 +7,7 @@ import re
 import pytest
 from conftest import ROOT, line, page, power, table
 
-PAGE, WORDS = page("docs/results/rough_gas.md")
+PAGE, WORDS = page("docs/understand/findings/gas.md")
 FILE = "docs/results/rough_gas.csv"
 ROWS = table(FILE)
 BODIES = {"disks": (2, 1), "spheres": (3, 3)}  # degrees of freedom

@@ -20,7 +20,7 @@ def test_whatever_names_the_version_names_this_one():
     assert re.search(r"^version: (\S+)$", read("CITATION.cff"), re.MULTILINE)[1] == VERSION
     assert re.search(r"^## \[?(\d\S*?)\]?( |$)", read("CHANGELOG.md"), re.MULTILINE)[1] == VERSION
     assert read("debian/changelog").startswith(f"stoss ({VERSION}-")
-    assert f"stoss {VERSION} follows" in page("docs/versions.md")[0]
+    assert f"stoss {VERSION} follows" in page("docs/developer/versions.md")[0]
     for header in ("include/stoss/stoss.h", "include/stoss/version.hpp"):
         assert f'as in "{VERSION}"' in read(header), header
 
@@ -46,7 +46,7 @@ def test_cmake_asks_for_the_python_of_the_package():
 
 def test_the_number_of_the_shared_library_is_its_own_and_is_documented():
     assert re.search(r"\n  SOVERSION \$\{STOSS_SOVERSION\}\)", PROJECT)
-    assert f"`libstoss.so.{SOVERSION}`" in page("docs/versions.md")[0]
+    assert f"`libstoss.so.{SOVERSION}`" in page("docs/developer/versions.md")[0]
     assert f"\nPackage: libstoss{SOVERSION}\n" in read("debian/control")
 
 
@@ -81,7 +81,7 @@ def test_every_format_that_the_sources_name_is_in_the_table():
     files = [file for folder in folders for file in folder.rglob("*") if file.suffix in (".cpp", ".hpp", ".h", ".py")]
     form = r'"(stoss [a-z]+(?: [a-z]+)* \d+)"'
     named = {each for file in files for each in re.findall(form, file.read_text(encoding="utf-8"))}
-    table = re.findall(r"^\| [^|]* \| `(stoss [^`]*)` \|", page("docs/versions.md")[0], re.MULTILINE)
+    table = re.findall(r"^\| [^|]* \| `(stoss [^`]*)` \|", page("docs/developer/versions.md")[0], re.MULTILINE)
     assert named == set(table) and len(table) == 5
     results = re.search(r'"stoss/\{\}/(\d+)"', read("cli/output/writer.cpp"))[1]
-    assert f"| `stoss/KIND/{results}` |" in page("docs/versions.md")[0]
+    assert f"| `stoss/KIND/{results}` |" in page("docs/developer/versions.md")[0]

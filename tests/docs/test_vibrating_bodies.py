@@ -1,11 +1,11 @@
-"""What docs/vibrating_bodies.md says of its numbers follows from what its code prints (which
-tests/python/package/test_guide.py runs) and from the tables of docs/results/vibration.md."""
+"""What docs/tutorials/vibrating_bodies.md says of its numbers follows from what its code prints (which
+tests/python/package/test_guide.py runs) and from the tables of docs/understand/findings/vibration.md."""
 
 import re
 
 from conftest import page, table
 
-PAGE, WORDS = page("docs/vibrating_bodies.md")
+PAGE, WORDS = page("docs/tutorials/vibrating_bodies.md")
 
 
 def printed(pattern):

@@ -1,14 +1,14 @@
-"""The numbers of docs/results/wall.md: those of its CSV file, and those of the command that it names."""
+"""The numbers of docs/understand/findings/wall.md: those of its CSV file, and those of the command that it names."""
 
 import itertools
 import math
 
 import pytest
-from conftest import command, line, page, power, sampled, table, with_error
+from conftest import command, line, page, power, table, with_error
 
-PAGE, WORDS = page("docs/results/wall.md")
+PAGE, WORDS = page("docs/understand/findings/wall.md")
 POISSON = (0.0, 0.2, 0.33, 0.5, 0.9)
-SPEEDS = (1e-6, 1e-5, 1e-4, 0.001, 0.003, 0.01, 0.03, 0.1, 0.2, 0.3, 0.5)
+SPEEDS = (1e-6, 1e-4, 0.001, 0.01, 0.1, 0.3)
 ROWS = {nu: sorted((row for row in table("docs/results/restitution.csv") if row["poisson"] == nu),
                    key=lambda row: row["speed"]) for nu in POISSON}  # fmt: skip
 WAVY = POISSON[1:]  # where the first maximum is that of the quadrupole
@@ -49,29 +49,34 @@ def extrema(nu):
 EXTREMA = {nu: extrema(nu) for nu in POISSON}
 
 
-@pytest.mark.parametrize("speed", sampled(SPEEDS))
-def test_tables_are_those_of_the_command(speed):
-    rows = command(f"restitution --body disk --poisson {','.join(map(str, POISSON))} --speed {speed} --tolerance 3e-4")
-    for name in ("restitution", "lost_fraction"):
-        assert line(short(speed), *(with_error(row[name], row[f"{name}_error"]) for row in rows)) in PAGE
+@pytest.fixture(scope="module")
+def computed():
+    speeds = ",".join(map(str, SPEEDS))
+    found = command(f"restitution --body disk --poisson {','.join(map(str, POISSON))} --speed {speeds} --tolerance 3e-4")
+    return {(row["poisson"], row["speed"]): row for row in found}
+
+
+def test_table_is_that_of_the_command(computed):
+    for speed in SPEEDS:
+        rows = [computed[nu, speed] for nu in POISSON]
+        assert line(short(speed), *(with_error(row["restitution"], row["restitution_error"]) for row in rows)) in PAGE
 
 
 def test_what_the_file_holds():
     assert {nu: len(rows) for nu, rows in ROWS.items()} == {nu: 155 if nu == 0.33 else 115 for nu in POISSON}
-    assert "115 speeds from 10⁻⁶ to 0.5" in WORDS and "another 40 down to 10⁻⁸ for ν = 0.33" in WORDS
+    assert "115 speeds from 10⁻⁶ to 0.5 c" in WORDS and "another 40 down to 10⁻⁸ for ν = 0.33" in WORDS
     (missed,) = [row for row in itertools.chain(*ROWS.values()) if row["converged"] != "true"]
     share = power(missed["lost_fraction_error"] / missed["lost_fraction"], 2)
     assert f"ν = {missed['poisson']:g}, v = {missed['speed']:.3f} ends at {share}" in WORDS
 
 
 def test_extrema():
-    for nu, found in EXTREMA.items():
-        for k, it in enumerate(found):
-            speed = f"{it['speed']:.4f}" if it["speed"] > 1e-3 else power(it["speed"], 2)
-            names = ("contact_time", "contact_time_over_quadrupole_period", "quadrupole_share_of_loss")
-            cells = (f"{it['lost_fraction']:.4f}", *(f"{it[name]:.2f}" for name in names))
-            assert f"{line('' if k else f'{nu:g}', it['kind'], speed, *cells)}\n".replace("|  |", "| |") in PAGE
-    assert PAGE.count("| minimum |") + PAGE.count("| maximum |") == sum(map(len, EXTREMA.values()))
+    for k, it in enumerate(EXTREMA[0.33]):
+        speed = f"{it['speed']:.4f}" if it["speed"] > 1e-3 else power(it["speed"], 2)
+        names = ("contact_time", "contact_time_over_quadrupole_period", "quadrupole_share_of_loss")
+        cells = (f"{it['lost_fraction']:.4f}", *(f"{it[name]:.2f}" for name in names))
+        assert f"{line('' if k else '0.33', it['kind'], speed, *cells)}\n".replace("|  |", "| |") in PAGE
+    assert PAGE.count("| minimum |") + PAGE.count("| maximum |") == len(EXTREMA[0.33])
 
 
 def among(values, digits):
@@ -81,7 +86,7 @@ def among(values, digits):
 
 def test_waves():
     first, second, third = ([EXTREMA[nu][k] for nu in WAVY] for k in range(3))
-    assert f"v = {max(it['speed'] for it in first):.3f} to {min(it['speed'] for it in first):.3f}" in WORDS
+    assert f"v = {max(it['speed'] for it in first):.3f} to {min(it['speed'] for it in first):.3f} c" in WORDS
     rises = [100 * (b["lost_fraction"] / a["lost_fraction"] - 1) for a, b in zip(first, second)]
     falls = [a["lost_fraction"] / b["lost_fraction"] for a, b in zip(second, third)]
     assert f"rises again by {among(rises, 0)} %, falls by a factor of {among(falls, 1)}" in WORDS
@@ -89,19 +94,15 @@ def test_waves():
     def over_period(found):
         return [it["contact_time_over_quadrupole_period"] for it in found]
 
-    assert f"is at τ/T₂₀ = {among(over_period(second), 2)} for every ν ≥ 0.2" in WORDS
+    assert f"is at {among(over_period(second), 2)} periods of the quadrupole mode for every ν ≥ 0.2" in WORDS
     speeds = [it["speed"] for it in second]
     assert f"factor of {max(speeds) / min(speeds):.0f}" in WORDS
-    assert f"The minima, at {among(over_period(first), 2)} and {among(over_period(third), 2)}" in WORDS
-    small = [EXTREMA[nu][3] for nu in WAVY if len(EXTREMA[nu]) > 3]
-    assert f"At τ/T₂₀ = {among(over_period(small), 2)}" in WORDS
-    shares = [100 * it["quadrupole_share_of_loss"] for it in small]
-    assert f"only {min(shares):.1f} to {max(shares):.0f} %" in WORDS
+    assert f"at {among(over_period(first), 2)} and {among(over_period(third), 2)} periods" in WORDS
 
 
 def test_the_way_to_one():
     times = [near(0.33, speed)["contact_time"] for speed in (1e-3, 1e-6, 1e-8)]
-    assert "9.0 at v = 10⁻³, 12.2 at 10⁻⁶, 14.0 at 10⁻⁸" in WORDS
+    assert "9.0 R/c at v = 10⁻³, 12.2 at 10⁻⁶ and 14.0 at 10⁻⁸" in WORDS
     assert [f"{time:.1f}" for time in times] == ["9.0", "12.2", "14.0"]
     assert "8.3, 11.7 and 13.5" in WORDS
     assert [f"{math.pi * math.sqrt(math.log(1 / v)):.1f}" for v in (1e-3, 1e-6, 1e-8)] == ["8.3", "11.7", "13.5"]

@@ -32,7 +32,7 @@ foreach(example impact pairs oblique)
   execute_process(COMMAND "${SCRATCH}/build/examples/${example}" OUTPUT_VARIABLE got COMMAND_ERROR_IS_FATAL ANY)
   file(READ "${PROJECT}/${example}.txt" expected)
   if(NOT got STREQUAL expected)
-    message(FATAL_ERROR "${example} printed\n${got}docs/cpp.md shows\n${expected}")
+    message(FATAL_ERROR "${example} printed\n${got}docs/reference/cpp.md shows\n${expected}")
   endif()
 endforeach()
 

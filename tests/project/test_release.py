@@ -10,7 +10,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 READS = (
-    "CHANGELOG.md CITATION.cff CMakeLists.txt debian/changelog docs/versions.md include/stoss/stoss.h"
+    "CHANGELOG.md CITATION.cff CMakeLists.txt debian/changelog docs/developer/versions.md include/stoss/stoss.h"
     " include/stoss/version.hpp scripts/release.sh"
 ).split()
 OLD = re.search(r"project\(stoss VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
@@ -29,9 +29,9 @@ class Repository:
         text = self.read("CHANGELOG.md")
         released = re.search(rf"^## {re.escape(OLD)}.*", text, re.MULTILINE | re.DOTALL)[0]
         self.write("CHANGELOG.md", "# Changelog\n\n" + SECTION + released)
-        stable = re.sub(r"^Within the versions \d+\.x:", f"Within the versions {NEW[0]}.x:", self.read("docs/versions.md"),
+        stable = re.sub(r"^Within the versions \d+\.x:", f"Within the versions {NEW[0]}.x:", self.read("docs/developer/versions.md"),
                         flags=re.MULTILINE)  # fmt: skip
-        self.write("docs/versions.md", stable)
+        self.write("docs/developer/versions.md", stable)
         self.git("init", "-q")
         self.commit()
 
@@ -85,7 +85,7 @@ def test_a_release_writes_its_version_everywhere_and_tags_it(repository):
     assert repository.read("debian/changelog").count("\n -- ") == (ROOT / "debian/changelog").read_text().count("\n -- ") + 1
     for name in ("include/stoss/stoss.h", "include/stoss/version.hpp"):
         assert f'as in "{NEW}"' in repository.read(name)
-    words = repository.read("docs/versions.md")
+    words = repository.read("docs/developer/versions.md")
     assert f"stoss {NEW} follows" in words and f"# stoss {NEW}: KIND" in words and f"stoss {OLD}" not in words
     assert repository.git("tag").split() == [f"v{NEW}"] and repository.git("status", "--porcelain") == ""
     assert repository.git("log", "-1", "--format=%s").strip() == f"Release {NEW}"
@@ -145,10 +145,10 @@ def test_a_changelog_that_says_nothing_is_refused(repository, section, words):
 
 
 def test_another_first_number_needs_words_on_what_is_stable(repository):
-    stable = repository.read("docs/versions.md").replace(f"Within the versions {NEW[0]}.x:", "Within the versions 0.x:")
-    repository.write("docs/versions.md", stable)
+    stable = repository.read("docs/developer/versions.md").replace(f"Within the versions {NEW[0]}.x:", "Within the versions 0.x:")
+    repository.write("docs/developer/versions.md", stable)
     repository.commit()
-    refused(repository, NEW, f"docs/versions.md: what is stable must be said of {NEW[0]}.x")
+    refused(repository, NEW, f"docs/developer/versions.md: what is stable must be said of {NEW[0]}.x")
 
 
 def test_placeholders_are_named(repository):

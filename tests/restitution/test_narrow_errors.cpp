@@ -1,5 +1,5 @@
 // Errors on plates and of bodies by their modes are honest, and not padded: impacts to which no constant was fitted,
-// and what far finer runs, or the sphere itself, gave (docs/validation.md).
+// and what far finer runs, or the sphere itself, gave (docs/developer/validation.md).
 #include <gtest/gtest.h>
 
 #include <cmath>

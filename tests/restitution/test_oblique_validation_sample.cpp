@@ -1,4 +1,5 @@
-// Are the errors of oblique_restitution() honest? A sample of what the validation program judges (docs/validation.md).
+// Are the errors of oblique_restitution() honest? A sample of what the validation program judges
+// (docs/developer/validation.md).
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -140,7 +140,7 @@ def test_figures_11_and_12_slow_impacts(study):
 
 
 def test_each_erratum_of_the_theory_names_tests_that_exist():
-    errata = (ROOT / "docs/theory/errata.md").read_text(encoding="utf-8").split("\n## ")[1:]
+    errata = (ROOT / "docs/developer/derivations/errata.md").read_text(encoding="utf-8").split("\n## ")[1:]
     assert [entry.partition(" ")[0] for entry in errata] == "E1 E4 E5 E6 E7 E8 E9 E11 E12 E13".split()
     there = set()
     for path in (ROOT / "tests").rglob("test_*.*"):

@@ -18,7 +18,7 @@ WAYS = [(0.33, 0.05), (0.33, 0.1), (0.33, 0.2), (0.33, 0.3), (0.9, 0.1), (0.9, 0
 
 @pytest.mark.filterwarnings("ignore::stoss.StossWarning")
 def test_both_ways_agree_as_the_page_says():
-    page = (ROOT / "docs/numerics.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs/developer/numerics.md").read_text(encoding="utf-8")
     for poisson, speed in WAYS:
         mine = stoss.restitution(poisson=poisson, speed=speed)
         two = two_limits.two_limits(poisson, speed, np.array(two_limits.SCALED) / speed)

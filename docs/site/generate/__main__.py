@@ -17,7 +17,10 @@ from tree import ROOT, Tree
 def main(folder: Path, stoss: Path) -> None:
     tree = Tree(folder)
     for page in [*(ROOT / "docs").iterdir(), ROOT / "CHANGELOG.md", ROOT / "CONTRIBUTING.md"]:
-        if page.is_dir() != (page.suffix == ".md") and page.name != "site":
+        if page.name == "reference":  # beside pages that are made here
+            for file in page.iterdir():
+                tree.link(f"reference/{file.name}", file)
+        elif page.is_dir() != (page.suffix == ".md") and page.name != "site":
             tree.link(page.name, page)
     page = ROOT / "build/docs-page"
     if (page / "index.html").exists():

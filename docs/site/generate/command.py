@@ -69,8 +69,8 @@ def write(tree: Tree, stoss: Path) -> None:
     general = said(stoss)
     names = re.findall(r"^  ([a-z]+) ", general.partition("Subcommands:")[2], re.MULTILINE)
     lines = [*heading("Options of the command", "="), "What ``stoss --help`` and ``stoss SUBCOMMAND --help`` say;"]
-    lines += [":doc:`the command </command>` is a tour.", "", *literal(general.split("\n"))]
-    lines += [".. toctree::", "   :hidden:", "", *(f"   command/{name}" for name in names)]
+    lines += [":doc:`the command </reference/command>` shows them at work.", "", *literal(general.split("\n"))]
+    lines += [".. toctree::", "   :hidden:", "", *(f"   {name}" for name in names)]
     for name in names:
         tree.write(f"reference/command/{name}.rst", "\n".join(subcommand(name, said(stoss, name))) + "\n")
-    tree.write("reference/command.rst", "\n".join(lines) + "\n")
+    tree.write("reference/command/index.rst", "\n".join(lines) + "\n")

@@ -8,7 +8,7 @@ namespace stoss {
 
 /// How finely an impact is computed, apart from the cutoff of its bodies. What is left open is recommended.
 struct Resolution {
-  std::optional<double> step{};        ///< Δt, R/c (docs/numerics.md)
+  std::optional<double> step{};        ///< Δt, R/c (docs/developer/numerics.md)
   std::optional<int> nodes{};          ///< of the contact grid
   std::optional<double> half_width{};  ///< of the contact grid, R; otherwise 1.25 times the expected one of the contact
   Tail tail = Tail::radiating;

@@ -75,8 +75,9 @@ struct ObliqueOptions {
 /// The error of s′, and of what follows from it, is the maximum difference from all runs before the last, scaled by the
 /// order at which such differences fall with the cutoff, times a factor; and at least what so many contact points leave
 /// open, which is most where directions act on each other and friction is low (docs/theory/oblique.md). How often the
-/// errors hold: docs/validation.md. What spheres are computed without is estimated beside it (Coupling), for bodies at
-/// rest. Much larger bodies take part as a whole. A rule that misses the tolerance has converged false, with a reason.
+/// errors hold: docs/developer/validation.md. What spheres are computed without is estimated beside it (Coupling), for
+/// bodies at rest. Much larger bodies take part as a whole. A rule that misses the tolerance has converged false, with
+/// a reason.
 /// @param speed of approach along the normal, 1e-8 … 1, in c
 /// @throws InvalidInput as oblique_impact and for options out of range; NotConverged if no two impacts end
 [[nodiscard]] std::vector<ObliqueRestitution> oblique_restitution(const RefinableContact& contact, double speed,

@@ -12,10 +12,10 @@
 
 namespace stoss {
 
-/// A number with its estimated error: in the validation (docs/validation.md) the true error of ε and of 1 − ε² is
-/// within it in at least 95 % of the cases of each set, for fast disks (0.1 to 0.6 c) in 92 % at the tolerance 10⁻³ and
-/// 91 % at 10⁻⁴, and rarely beyond three times it. An infinite error means that it is unknown: it would reach the value
-/// itself or, for ε and 1 − ε², exceed 1.
+/// A number with its estimated error: in the validation (docs/developer/validation.md) the true error of ε and of 1 −
+/// ε² is within it in at least 95 % of the cases of each set, for fast disks (0.1 to 0.6 c) in 92 % at the tolerance
+/// 10⁻³ and 91 % at 10⁻⁴, and rarely beyond three times it. An infinite error means that it is unknown: it would reach
+/// the value itself or, for ε and 1 − ε², exceed 1.
 struct Estimate {
   double value = 0.0;
   double error = 0.0;
@@ -88,7 +88,7 @@ class RestitutionNotConverged : public NotConverged {
 };
 
 /// Coefficient of restitution of a body at a hard wall, or of two bodies, from impacts at rising cutoffs
-/// (docs/numerics.md, sections 5 and 7): cutoff, step and grid are refined together until the error of
+/// (docs/developer/numerics.md, sections 5 and 7): cutoff, step and grid are refined together until the error of
 /// 1 − ε² is at most tolerance × (1 − ε²), or at most `absolute`. The error is the greater of a share of the energy
 /// that the modes above the cutoff took and a multiple of the maximum difference from a coarser run, scaled by the
 /// observed order of convergence. Where the errors fall too slowly for any cutoff, it gives up before impacts that take

@@ -24,8 +24,8 @@ struct FunctionOptions {
 ///
 /// It begins with six speeds per decade, evenly in ln v, and halves every interval until ε computed in its middle,
 /// which becomes a knot, differs from the interpolation by no more than a quarter of the error, and nothing around it
-/// tells of an error above half of it (docs/numerics.md, section 11). Values are computed to a third of the error,
-/// and 1.5 times their errors are those of the knots.
+/// tells of an error above half of it (docs/developer/numerics.md, section 11). Values are computed to a third of the
+/// error, and 1.5 times their errors are those of the knots.
 /// @param slowest,fastest 1e-8 … 1, in c, slowest < fastest
 /// @throws InvalidInput for arguments out of range; NotConverged if some value does not reach its share of the error,
 ///         or more speeds are needed

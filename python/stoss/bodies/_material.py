@@ -137,7 +137,7 @@ materials: Mapping[str, Material] = MappingProxyType(
 Yours differs, rubber and rock by factors: measure it. What has no `yield_strength` here is brittle, or not known well
 enough; structural steel has 0.235 GPa and more. Loss times are those of a quality at 10 kHz, that of rubber at 500 Hz:
 contacts of 50 µs and 1 ms. They are orders of magnitude, and so are surface energies, which are those of smooth
-surfaces. How well each constant is known is in `stoss.predict`, which knows these materials again. What ε means for each of them: docs/materials.md.
+surfaces. How well each constant is known is in `stoss.predict`, which knows these materials again. What ε means for each of them: docs/reference/materials.md.
 """
 
 NAMES: Mapping[Material, str] = MappingProxyType({material: name for name, material in materials.items()})

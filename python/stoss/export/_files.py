@@ -1,4 +1,4 @@
-"""Files that appear whole or not at all, their formats (docs/versions.md), and JSON documents as they are read."""
+"""Files that appear whole or not at all, their formats (docs/developer/versions.md), and JSON documents as they are read."""
 
 from __future__ import annotations
 

@@ -171,7 +171,7 @@ class Grid:
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Grid:
-        """Read a grid from a TOML file, whose keys are the arguments of this class (docs/sweeps.md).
+        """Read a grid from a TOML file, whose keys are the arguments of this class (docs/howto/sweeps.md).
 
         The file of a body is sought from the folder of this one.
         """

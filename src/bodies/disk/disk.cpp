@@ -75,7 +75,7 @@ void require_disk(const Disk& disk) {
   bodies::require_size_and_material("disk", disk);
 }
 
-/// Chosen so that steps, contact points and modes are refined together (docs/numerics.md, section 5).
+/// Chosen so that steps, contact points and modes are refined together (docs/developer/numerics.md, section 5).
 constexpr Sampling sampling{.points = 24.0, .cutoff = 32.0, .power = 0.65, .along_edge = 0.7, .fewest = 32};
 
 }  // namespace

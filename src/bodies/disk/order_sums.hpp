@@ -24,7 +24,7 @@ namespace stoss::bodies::disk {
 /// What tells the residual response of a disk from that of other round bodies.
 struct ResidualShape {
   /// A single order at a rigid wall is unstable from 4 on; on a grid, which mixes the orders, trouble begins above 2
-  /// (docs/numerics.md).
+  /// (docs/developer/numerics.md).
   static constexpr double stable_share = 1.8;
 
   static Flexibility static_flexibility(double poisson, int n) { return disk::static_flexibility(poisson, n); }

@@ -22,7 +22,7 @@ using bodies::modal::PointModes;
 using bodies::modal::PointSurroundings;
 using bodies::modal::Unevenness;
 
-/// Chosen as for spheres (docs/numerics.md, section 5).
+/// Chosen as for spheres (docs/developer/numerics.md, section 5).
 constexpr Sampling sampling{.points = 40.0, .cutoff = 32.0, .power = 0.7, .along_edge = 0.0, .fewest = 32};
 
 /// Duration for which the quadrature of the half-space that gives V is made, own_length/c.

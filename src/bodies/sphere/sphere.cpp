@@ -51,7 +51,7 @@ void require_sphere(const Sphere& sphere) {
   bodies::require_size_and_material("sphere", sphere);
 }
 
-/// Chosen so that steps, rings and modes are refined together (docs/numerics.md, section 5).
+/// Chosen so that steps, rings and modes are refined together (docs/developer/numerics.md, section 5).
 constexpr Sampling sampling{.points = 40.0, .cutoff = 32.0, .power = 0.7, .along_edge = 0.0, .fewest = 32};
 
 /// What a lossy sphere loses is as accurate as its modes with twice the rings.

@@ -11,7 +11,7 @@
 namespace stoss::bodies {
 namespace {
 
-/// Chosen as for spheres, of which fewer modes matter (docs/numerics.md, section 5).
+/// Chosen as for spheres, of which fewer modes matter (docs/developer/numerics.md, section 5).
 constexpr Sampling sampling{.points = 48.0, .cutoff = 8.0, .power = 0.5, .along_edge = 0.0, .fewest = 32};
 
 /// Area, or length, that a contact point stands for.

@@ -16,7 +16,8 @@ namespace stoss {
 ///
 /// It lets the edge of the contact pass a node gradually, and the force follow the envelope of those of all whole
 /// numbers of touching nodes, which is that of the exact contact at compression + h²/(24 R), of rings h²/(12 R)
-/// (docs/numerics.md, section 3). With the closure t = 1 − √(g/g*), f = f* t² and g = g* (1 − t)²: one smooth curve.
+/// (docs/developer/numerics.md, section 3). With the closure t = 1 − √(g/g*), f = f* t² and g = g* (1 − t)²: one smooth
+/// curve.
 struct EdgeLaw {
   std::vector<double> force;  ///< f* of each node
   std::vector<double> gap;    ///< g* of each node, R

@@ -22,7 +22,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// γ: with it the tail of a family of modes has the spring constant (2/π) ω_c Z at high frequency (docs/numerics.md).
+/// γ: with it the tail of a family of modes has the spring constant (2/π) ω_c Z at high frequency
+/// (docs/developer/numerics.md).
 constexpr double link_stiffness = 8.0 / std::numbers::pi - 0.5 * std::numbers::pi;
 
 std::vector<double> values(const RowMajor& matrix) { return {matrix.data(), matrix.data() + matrix.size()}; }

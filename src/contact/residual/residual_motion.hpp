@@ -18,8 +18,9 @@ namespace stoss {
 /// Its compliance is W/(1 + sη) − s²V/(1 + sη)² + O(s⁴) at low frequency, as that of the modes above the cutoff ω_c,
 /// and without losses 1/(sZ) − (2/π) ω_c/(s²Z) at high frequency, as that of plane waves less the kept modes. V is of
 /// low rank on the nodes, V = Y Yᵀ, so the masses move in few unit-mass coordinates ξ = Rᵀ (u − z), R = K Y, with z the
-/// stretch of the links. By the trapezium rule for the masses, backward Euler for the links (docs/numerics.md, section
-/// 3) and the backward differentiation formula of second order (BDF2) for the viscous springs (docs/theory/loss.md):
+/// stretch of the links. By the trapezium rule for the masses, backward Euler for the links
+/// (docs/developer/numerics.md, section 3) and the backward differentiation formula of second order (BDF2) for the
+/// viscous springs (docs/theory/loss.md):
 ///
 ///   f = (1 + 3c/2) K u − c K w + R ξ̈,   c = η/Δt,   w = 2u₁ − ½u₂ of the two steps before,
 ///   ξ̈ = S⁻¹ (Rᵀu − r),   S = ¼Δt² + Rᵀ B⁻¹ R,   B = G + Z/Δt,

@@ -81,7 +81,7 @@ def test_at_angles(law, program, tmp_path):
 
 
 def test_friction_hardly_acts_in_mujoco(tmp_path):
-    """What docs/laws.md says: it brakes sliding with the dashpot of the normal, which almost elastic balls lack."""
+    """What docs/reference/laws.md says: it brakes sliding with the dashpot of the normal, which almost elastic balls lack."""
     one = SPEEDS[2:3]
     fit, normal, along = collide("mujoco", "mujoco", "structural steel", FRICTION, tmp_path, one)
     assert normal == pytest.approx(fit.fitted.restitution(one)[0], abs=1e-3)

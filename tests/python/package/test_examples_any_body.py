@@ -1,4 +1,5 @@
-"""The examples of bodies by their modes: what they print agrees with direct calls, and with docs/any_body.md."""
+"""The examples of bodies by their modes: what they print agrees with direct calls, and with
+docs/understand/findings/any_body.md."""
 
 from pathlib import Path
 
@@ -8,7 +9,7 @@ import pytest
 import stoss
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
-PAGE = (EXAMPLES.parent / "docs/any_body.md").read_text(encoding="utf-8")
+PAGE = (EXAMPLES.parent / "docs/understand/findings/any_body.md").read_text(encoding="utf-8")
 
 
 def test_13_bar(example):

@@ -1,4 +1,4 @@
-"""Each file that the package writes names its format with a version, as docs/versions.md says; later ones are refused in
+"""Each file that the package writes names its format with a version, as docs/developer/versions.md says; later ones are refused in
 one line, with what was got and what is allowed."""
 
 import json
@@ -9,7 +9,7 @@ import pytest
 
 import stoss
 
-PAGE = Path(__file__).parents[3] / "docs/versions.md"
+PAGE = Path(__file__).parents[3] / "docs/developer/versions.md"
 ROWS = re.findall(r"^\| (.*?) \| (.*?) \|", PAGE.read_text(encoding="utf-8").partition("## Formats")[2], re.MULTILINE)
 FORMATS = {name: version.strip("`") for name, version in ROWS}
 GRID = {"bodies": {"kind": "disk", "poisson": 0.33}, "speed": [0.1], "tolerance": 0.05}

@@ -14,7 +14,7 @@ BALL = stoss.Sphere(poisson=0.3)
 HARD = stoss.Sphere(
     radius=0.01, material=stoss.Material(young=2.1e11, poisson=0.3, density=7850, yield_strength=1e9)
 )
-THEORY = Path(__file__).parents[3] / "docs" / "theory" / "points.md"
+THEORY = Path(__file__).parents[3] / "docs/developer/derivations/points.md"
 
 
 @pytest.mark.parametrize("body, words, law", [

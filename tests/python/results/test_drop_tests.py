@@ -1,4 +1,4 @@
-"""The tables of drop tests and of materials in docs/materials.md, and the example of drop tests, are what the package
+"""The tables of drop tests and of materials in docs/reference/materials.md, and the example of drop tests, are what the package
 has."""
 
 import csv
@@ -13,7 +13,7 @@ import stoss
 pytestmark = pytest.mark.filterwarnings("ignore::stoss.StossWarning")
 ROOT = Path(__file__).parents[3]
 SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
-PAGE = (ROOT / "docs/materials.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs/reference/materials.md").read_text(encoding="utf-8")
 
 
 def written(text):

@@ -176,7 +176,7 @@ def test_picture_of_others(body, against):
 
 
 def test_numbers_of_the_results():
-    """What docs/results/half_space.md says of how the waves spread."""
+    """What docs/understand/findings/half_space.md says of how the waves spread."""
     met = stoss.impact(stoss.Sphere(poisson=0.3), against=stoss.HalfSpace(), speed=0.1, cutoff=8)
     peaks = []
     for time in (20.0, 40.0):
@@ -188,7 +188,7 @@ def test_numbers_of_the_results():
         down = np.abs(axis.normal_velocity)[:, 0] / met.speed
         peaks.append([along[:31].max(), down.max(), along[31:].max()])
     assert np.array(peaks) == pytest.approx(np.array([[0.0276, 0.0035, 0.0031], [0.0207, 0.0016, 0.00083]]), rel=0.03)
-    words = (Path(__file__).parents[3] / "docs/results/half_space.md").read_text(encoding="utf-8")
+    words = (Path(__file__).parents[3] / "docs/understand/findings/half_space.md").read_text(encoding="utf-8")
     for name in ("0.0276 to 0.0207 v", "0.0035 to 0.0016 v", "0.0031 to 0.00083 v"):
         assert name in " ".join(words.split())
     assert (surface.pressure_speed, surface.shear_speed, surface.rayleigh_speed) == pytest.approx(

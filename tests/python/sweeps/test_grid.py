@@ -11,7 +11,7 @@ import stoss
 from stoss._subcommands import sample
 
 BALLS = {"kind": "sphere", "poisson": [0.1, 0.3]}
-PAGE = Path(__file__).parents[3] / "docs/sweeps.md"
+PAGE = Path(__file__).parents[3] / "docs/howto/sweeps.md"
 SIZES = {"kind": "sphere", "poisson": 0.3, "radius": "lin:1:2:10000", "density": "lin:1:2:10"}
 
 
@@ -137,8 +137,7 @@ def test_the_hardest_value_of_the_documented_grid_converges(documented):
 
 
 DISK = {"kind": "disk", "poisson": 0.3}
-BELL, FLAT = ({"kind": "modal", "file": str(PAGE.parents[1] / f"examples/any_body/{each}.json")} for each in ("bell",
- "beam_0"))
+BELL, FLAT = ({"kind": "modal", "file": str(PAGE.parents[2] / f"examples/any_body/{each}.json")} for each in ("bell", "beam_0"))
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,7 @@ const known = new Set([
   'view', 'keep', 'version',
 ]);
 
-/** Of the keys and their meaning; an address names it only if it is another one (docs/versions.md). */
+/** Of the keys and their meaning; an address names it only if it is another one (docs/developer/versions.md). */
 const version = '1';
 
 /** The inputs as text after ? in the address. */
