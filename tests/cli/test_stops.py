@@ -14,7 +14,7 @@ from test_files import WAYS, fails
 
 NU = "--body disk --poisson 0.33"
 BALL = "--body sphere --poisson 0.3"
-LONG = f"restitution {NU} --speed log:1e-3:0.3:100000 --threads 1"
+LONG = f"restitution {NU} --speed log:1e-3:0.3:20000 --threads 1"
 SLOW = "restitution --body disk --poisson -0.95 --speed 1,0.9 --tolerance 1e-4"  # its first row takes seconds
 MARK = "# interrupted: the rows above are complete, later ones are missing\n"
 needs_locks = pytest.mark.skipif(not os.path.exists("/proc/locks"), reason="needs the list of locks")
@@ -166,8 +166,6 @@ def stop(process):
 
 @pytest.mark.parametrize("way, change", [(way, change) for change in ("removed", "replaced", "truncated", "cut", "appended", "folder", "made anew")
                                          for way in ("--format csv -o", "--resume")[change == "removed":]])  # fmt: skip
-
-
 def test_changed_under_a_run(stoss, tmp_path, way, change):
     folder = tmp_path / "folder"
     folder.mkdir()
@@ -216,7 +214,7 @@ def test_changed_under_a_run(stoss, tmp_path, way, change):
 
 def test_changed_between_two_calls(stoss, tmp_path):
     """A change at any moment of a run is neither written over nor missed, also not just before or after a row."""
-    for trial in range(25):
+    for trial in range(10):
         path = tmp_path / f"{trial}.csv"
         process = stoss.start(f"{LONG} --format csv -o {path}", stderr=subprocess.PIPE)
         wait_for_rows(process, path, 1)
