@@ -106,10 +106,10 @@ TEST(Encounter, SaysHowFarBeyondYieldASpeedIs) {
     const std::string first = R"({"first":{"kind":"sphere","radius":0.005,"material":")" + ball + R"("},"against":)";
     return yield_warning(encounter_from_json(first + against + "}"), speed);
   };
-  const std::string glass = R"({"kind":"half-space","material":"glass"})";
-  EXPECT_EQ(said("structural steel", glass, 0.0155), "");
+  const std::string block = R"({"kind":"half-space","material":"glass"})";
+  EXPECT_EQ(said("structural steel", block, 0.0155), "");
   EXPECT_EQ(
-      said("structural steel", glass, 1.0),
+      said("structural steel", block, 1.0),
       "the ball yields above 0.0155 m/s (you asked for 1 m/s, 64 times that): the real rebound is much lower; use "
       "stoss predict");
   EXPECT_EQ(said("bearing steel", R"("wall")", 0.2),
@@ -127,7 +127,7 @@ TEST(Encounter, SaysByHowMuchALossAtOneFrequencyIsOff) {
         encounter_from_json(R"({"first":{"kind":"sphere",)" + ball + R"(},"against":)" + against + "}"), slowest,
         fastest);
   };
-  const std::string same = R"("same")", glass = R"({"kind":"half-space","material":"glass"})";
+  const std::string same = R"("same")", block = R"({"kind":"half-space","material":"glass"})";
   // A ball of Q = 100 loses 2.3853/100 at every speed, whatever its radius; what is computed loses 1.6e-4 and 0.99957.
   const auto large = said(R"("radius":1,"material":"granite")", same, 0.1, 0.1);
   ASSERT_EQ(large.size(), 1U);
@@ -144,7 +144,7 @@ TEST(Encounter, SaysByHowMuchALossAtOneFrequencyIsOff) {
   // Waves in a thin plate take nearly all: the loss does not matter.
   EXPECT_TRUE(said(of_glass, R"({"kind":"plate","thickness":0.001,"material":"glass"})", 0.1, 0.1).empty());
   // Of steel on glass that of glass alone matters.
-  const auto both = said(R"("radius":5e-3,"material":"bearing steel")", glass, 1.0, 1.0);
+  const auto both = said(R"("radius":5e-3,"material":"bearing steel")", block, 1.0, 1.0);
   ASSERT_EQ(both.size(), 1U);
   EXPECT_EQ(both.front().substr(0, 18), "the loss of glass ");
   // Own loss times are meant as they are, and what has none loses none.
