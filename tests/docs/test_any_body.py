@@ -21,7 +21,7 @@ def lost(arguments):
 
 def test_command_prints_what_the_page_shows():
     words = re.search(r"stoss (restitution --body sphere .*?)\n```", PAGE, re.DOTALL)[1].replace("\\\n", " ")
-    found = subprocess.run([os.environ["STOSS"], *shlex.split(words)], capture_output=True, text=True, timeout=60, cwd=ROOT)
+    found = subprocess.run([os.environ["STOSS"], *shlex.split(words)], capture_output=True, text=True, timeout=60, cwd=BODIES)
     assert found.stdout.rstrip() in PAGE
 
 

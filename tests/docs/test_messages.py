@@ -15,6 +15,7 @@ BALL = "--body sphere --poisson 0.3"
 GLASS = "--body sphere --material glass --radius 0.005"
 LINES = f"""
 restitution {BALL} --speed 2
+restitution --body sphere --speed 0.1
 restitution --body sphere --poisson 0.6 --speed 0.1
 restitution --body sphere --material stel --radius 0.1 --speed 1
 predict {BALL} --speed 0.1
@@ -42,8 +43,8 @@ oblique {BALL} --speed 0.01 --angle 1 --friction 0.1
 restitution {BALL} --speed 0.5 --against plate,thickness=0.1
 restitution --body @nofile.json --speed 1
 """.strip().splitlines()
-# Made by files, other programs or long runs.
-ELSEWHERE = ("body format", "Python package", "another process has", "oblique: at speed")
+# Made by files, other programs, long runs or Python.
+ELSEWHERE = ("poisson: missing", "body format", "Python package", "another process has", "oblique: at speed")
 
 
 def pattern(row):

@@ -64,7 +64,7 @@ def root_mean_square(values):
 def test_claims_about_the_experiment():
     first = GLASS[0]["restitution"]
     loss = 100 * (1 - first**2)
-    assert f"stoss gives {first:.4f} for the central impact: the waves in the glass take {loss:.1f} %" in MEASURED_WORDS
+    assert f"stoss gives {first:.4f} for the head-on impact: the waves in the glass take {loss:.1f} %" in MEASURED_WORDS
     assert f"some {100 * loss / (100 * (1 - 0.98**2)):.0f} % of the measured loss" in MEASURED_WORDS
     near, far = (at(GLASS, angle, "neglected_coupling") for angle in (2, 10))
     most = max(abs(row["neglected_coupling"]) for row in GLASS if row["angle"] >= 12)

@@ -194,7 +194,7 @@ def test_times_that_others_quote():
         assert len(every) == 1 and re.fullmatch(said, every[0]), (other, every)
         assert ("one case of a hundred" in every[0]) == (other in ("docs/howto/accuracy.md", "python/stoss/results/_restitution.py"))
     _, _, finer, slowest, _ = RANGE[1e-4]
-    found = re.search(r"tolerance of 10⁻⁴ ([\d.]+) ms and ([\d.]+) s", guide)
+    found = re.search(r"tolerance of 10⁻⁴ it takes ([\d.]+) ms and ([\d.]+) s", guide)
     assert found[1] == finer and rounded(float(slowest) / 1e3, found[2]) and len(found[2]) >= len("0.72")
 
 

@@ -1,6 +1,7 @@
 """Pages for users stay below the ceilings of scripts/prose.py for patterns of hard prose."""
 
 import importlib.util
+import re
 
 import pytest
 from conftest import ROOT
@@ -13,6 +14,13 @@ SPEC.loader.exec_module(prose)
 @pytest.mark.parametrize("page", prose.pages(), ids=lambda page: str(page.relative_to(ROOT)))
 def test_page_is_below_the_ceilings(page):
     assert not dict(prose.too_many(page.read_text(encoding="utf-8")))
+
+
+@pytest.mark.parametrize("page", prose.pages(), ids=lambda page: str(page.relative_to(ROOT)))
+def test_headings_and_tables_stand_apart(page):
+    """A heading within a line is no heading, and a line that follows a table is a row of it."""
+    text = re.sub(r"^```.*?^```$", "```", page.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
+    assert not re.findall(r"^.*[.:)|]#{2,5} .*$|^[^\n]+\n#{1,5} .*$|^\|.*\n[^|\n].*$", text, re.MULTILINE)
 
 
 @pytest.mark.parametrize("name, sentence", [
