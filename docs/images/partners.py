@@ -1,6 +1,6 @@
-"""Draws what a ball can meet, and what a disk stands for: partners.py > partners.svg, or partners.py FILE."""
+"""Draws what a ball can meet, and what a disk stands for, docs/images/partners.svg: python3 docs/images/partners.py."""
 
-import sys
+from pathlib import Path
 
 INK, BLUE, GREY = "#222", "#0072b2", "#ddd"
 
@@ -38,9 +38,4 @@ def picture():
 
 
 if __name__ == "__main__":
-    drawn = "\n".join(picture()) + "\n"
-    if len(sys.argv) > 1:
-        with open(sys.argv[1], "w", encoding="utf-8") as file:
-            file.write(drawn)
-    else:
-        print(drawn, end="")
+    Path(__file__).with_suffix(".svg").write_text("\n".join(picture()) + "\n", encoding="utf-8")

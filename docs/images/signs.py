@@ -1,6 +1,6 @@
-"""Draws the signs of an oblique impact: signs.py > signs.svg, or signs.py FILE."""
+"""Draws the signs of an oblique impact, docs/images/signs.svg: python3 docs/images/signs.py."""
 
-import sys
+from pathlib import Path
 
 ARROW = '<path d="M {0} {1} L {2} {3}" stroke="{4}" stroke-width="2" marker-end="url(#{5})"/>'
 INK, BLUE, RED = "#222", "#0072b2", "#d55e00"
@@ -45,9 +45,4 @@ def picture():
 
 
 if __name__ == "__main__":
-    drawn = "\n".join(picture()) + "\n"
-    if len(sys.argv) > 1:
-        with open(sys.argv[1], "w", encoding="utf-8") as file:
-            file.write(drawn)
-    else:
-        print(drawn, end="")
+    Path(__file__).with_suffix(".svg").write_text("\n".join(picture()) + "\n", encoding="utf-8")

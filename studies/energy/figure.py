@@ -52,13 +52,17 @@ def draw(rows, file):
     figure.savefig(file)
 
 
-def main(program, table, picture):
-    rows = list(predicted(program))
+def write(table, about, rows):
     with open(table, "w", encoding="utf-8", newline="") as file:
-        file.write("# Where the energy of real balls goes (docs/understand/energy.md); made by `make results`.\n")
+        file.write(f"# {about}; made by `make results`.\n")
         writer = csv.DictWriter(file, rows[0], lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
+
+
+def main(program, table, picture):
+    rows = list(predicted(program))
+    write(table, "Where the energy of real balls goes (docs/understand/energy.md)", rows)
     draw(rows, picture)
 
 

@@ -5,7 +5,7 @@ import csv
 import subprocess
 import sys
 
-from figure import CHANNELS, COLOURS
+from figure import CHANNELS, COLOURS, write
 
 PAIRS = {  # material, radius in m, what it meets
     "bearing steel on a block of glass": "bearing steel|0.005|half-space,material=glass",
@@ -57,11 +57,7 @@ def draw(table, file):
 
 def main(program, table, picture):
     found = list(rows(program))
-    with open(table, "w", encoding="utf-8", newline="") as file:
-        file.write("# The channel that takes most energy (docs/understand/when_elasticity_decides.md); made by `make results`.\n")
-        writer = csv.DictWriter(file, found[0], lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(found)
+    write(table, "The channel that takes most energy (docs/understand/when_elasticity_decides.md)", found)
     draw(found, picture)
 
 

@@ -225,15 +225,10 @@ def test_damaged_or_foreign_file_is_refused_and_left_alone(stoss, tmp_path, smal
     assert path.read_bytes() == text
 
 
-@pytest.mark.parametrize(
-    "more, told",
-    [
-        ("--format json", "got --format json, allowed csv"),
-        ("--format table", "got --format table, allowed csv"),
-        ("-o other.csv", "got another file as --output"),
-        ("-o -", "got another file as --output"),
-    ],
-)
+@pytest.mark.parametrize("more, told", [
+    ("--format json", "got --format json, allowed csv"), ("--format table", "got --format table, allowed csv"),
+    ("-o other.csv", "got another file as --output"), ("-o -", "got another file as --output"),
+])  # fmt: skip
 def test_other_output_is_refused(stoss, tmp_path, more, told):
     result = resume(stoss, tmp_path / "x.csv", f"{SMALL} {more}")
     assert (result.returncode, result.stdout) == (3, "")
