@@ -18,7 +18,7 @@ PARAMETERS = {
     "body": "The first body, in whose units all results are.",
     "speed": "Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material: m/s). Two equal"
     " bodies at twice the speed are one of them at a rigid wall.",
-    "against": "What the body meets: a rigid wall (default), another wall, an identical body ('same'), another of its"
+    "against": "What the body meets: a rigid wall ('wall', the default), another wall, an identical body ('same'), another of its"
     " kind, or, for a sphere, a half-space or a plate, for a disk a half-plane or a strip.",
     "poisson": "In place of `body`: 2-D Poisson's ratio of a disk, −0.95 to 0.995; an array broadcasts.",
     "cutoff": "Highest frequency of the modes that are kept, c/R.",

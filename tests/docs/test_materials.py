@@ -75,3 +75,32 @@ def test_loss_of_measured_balls_in_terms_of_their_speed():
     for speed, said in (("1e-3", "0.12 v/c"), ("1e-2", "0.14 v/c")):
         (row,) = command(f"restitution --body sphere --poisson 0.3 --speed {speed} --quiet")
         assert f"{(1 - row['restitution']) / float(speed):.2f} v/c" == said and said in words
+
+
+def test_factors_by_which_constants_vary():
+    _, words = page("docs/reference/materials.md")
+    made = subprocess.run([os.environ["STOSS"], "materials", "--format", "json"], check=True, capture_output=True).stdout
+    varied = {each["name"]: each["uncertainties"] for each in json.loads(made)["records"]}
+
+    def span(name, of=None):
+        known = [its[name] for each, its in varied.items() if its.get(name) and (of is None or each in of)]
+        return f"{1 + min(known):g} to {1 + max(known):g}"
+
+    some, rubber = ("PMMA", "PVB", "granite"), "rubber"
+    hard = [each for each in varied if each not in (*some, rubber)]
+    assert f"factors are {span('young', hard)} for E of metals" in words
+    assert f"{span('young', some)} for E of PMMA, PVB and granite, {1 + varied[rubber]['young']:g} for E of rubber" in words
+    for name, letter in (("poisson", "ν"), ("density", "ρ"), ("yield_strength", "Y"), ("surface_energy", "γ")):
+        assert f"{span(name)} for {letter}" in words
+    assert {its.get("loss_time", 0.0) for its in varied.values()} <= {0.0, 2.0} and "3 for every Q" in words
+
+
+def test_ratios_of_the_losses_of_ice_are_those_of_the_table():
+    table, words = page("docs/understand/measured.md")
+    lines = [line for line in table.splitlines() if "ice, Ø" in line or line.startswith("| the same, compacted")]
+    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in lines]
+    slow, fast = ([float(row[-1]) for row in rows if (row[1] == "1 mm/s") == is_slow] for is_slow in (True, False))
+    assert len(rows) == 7 and f"by a factor of {min(fast):g} to {max(fast):g} in the loss" in words
+    assert f"the factor is {min(slow):g} to {max(slow):g}" in words
+    paper = " ".join((ROOT / "docs/paper/paper.md").read_text(encoding="utf-8").split())
+    assert f"loses {min(fast):g} to {max(fast):g} times as much as predicted" in paper

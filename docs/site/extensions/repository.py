@@ -1,4 +1,5 @@
-"""Reads the Markdown of the repository as forges do: formulas in ```math, links to files and folders beside docs/."""
+"""Reads the Markdown of the repository as forges do: formulas in ```math, links to files and folders beside docs/, and
+pictures with a caption below."""
 
 import dataclasses
 import os
@@ -50,6 +51,24 @@ class Formulas(SphinxTransform):
                 block.replace_self(formula)
 
 
+class Figures(SphinxTransform):
+    """Makes a figure of a paragraph that holds a picture alone; the next is its caption if all of it is emphasised."""
+
+    default_priority = 20
+
+    def apply(self) -> None:
+        for picture in list(self.document.findall(nodes.image)):
+            paragraph = picture.parent
+            if not isinstance(paragraph, nodes.paragraph) or len(paragraph) > 1:
+                continue
+            place = paragraph.parent.index(paragraph) + 1
+            below = paragraph.parent[place] if place < len(paragraph.parent) else None
+            if isinstance(below, nodes.paragraph) and len(below) == 1 and isinstance(below[0], nodes.emphasis):
+                figure = nodes.figure("", picture.deepcopy(), nodes.caption("", "", *below[0].children))
+                below.parent.remove(below)
+                paragraph.replace_self(figure)
+
+
 class Links(SphinxTransform):
     """Leads links to the page that shows a file, or else to the file itself; of a folder, to its files."""
 
@@ -98,5 +117,6 @@ class Links(SphinxTransform):
 
 def setup(app: Sphinx) -> dict:
     app.add_transform(Formulas)
+    app.add_transform(Figures)
     app.add_transform(Links)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -51,8 +51,8 @@ def options(block: list[str]) -> list[str]:
 
 def subcommand(name: str, text: str) -> list[str]:
     head, *groups = re.split(r"\n\n+(?=\S.*:\n  )", text)
-    what, usage = head.split("\n")
-    lines = [*heading(f"stoss {name}", "="), f"{what}.", "", *literal([usage.removeprefix("Usage: ")])]
+    what, _, usage = head.partition("\nUsage: ")
+    lines = [*heading(f"stoss {name}", "="), f"{' '.join(what.split())}.", "", *literal([usage])]
     lines += [f".. program:: stoss {name}", ""]
     for group in groups:
         title, _, block = group.partition(":\n")

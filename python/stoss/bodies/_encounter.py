@@ -53,13 +53,15 @@ def choose_bodies(given: Any) -> tuple[list[Body], NDArray[np.float64]]:
 
 def choose_against(body: Body, against: Any, walls: tuple[type, ...]) -> Against:
     """What the body meets: one of these walls, an identical body, or another body."""
+    named = {"same": body, **({"wall": HardWall()} if HardWall in walls else {})}
     if against is None:
         against = HardWall()
-    if isinstance(against, str) and against == "same":
-        against = body
+    if isinstance(against, str) and against in named:
+        against = named[against]
     if not isinstance(against, (*walls, *PARTNERS)):
         kinds = ", ".join(f"a stoss.{kind.__name__}" for kind in (*walls, *PARTNERS[:-1]))
-        raise refusal("against", against, f"None, 'same', {kinds} or a stoss.{PARTNERS[-1].__name__}")
+        names = ", ".join(map(repr, sorted(named, reverse=True)))
+        raise refusal("against", against, f"None, {names}, {kinds} or a stoss.{PARTNERS[-1].__name__}")
     if is_rigid(body) and (not isinstance(against, PARTNERS) or is_rigid(against)):
         raise refusal("against", against, "a body that deforms, as this one is rigid")
     if isinstance(against, PARTNERS):
@@ -142,8 +144,8 @@ def yield_speed(body: Sphere, *, against: Sphere | Unbounded | str | None = None
 
     Parameters:
         body (Sphere): With a material.
-        against (Sphere, HalfSpace or 'same', optional): Another sphere, a block with a material, or an
-            equal sphere; a rigid wall if it is left out.
+        against (Sphere, HalfSpace, 'same' or 'wall', optional): Another sphere, a block with a material,
+            an equal sphere or a rigid wall (default).
 
     Examples:
         >>> hard = stoss.Material(young=2.1e11, poisson=0.3, density=7850, yield_strength=1e9)
@@ -159,10 +161,10 @@ def yield_speed(body: Sphere, *, against: Sphere | Unbounded | str | None = None
         second = first
     elif isinstance(against, PARTNERS) and _core.meets(first._kind, against._kind):
         second = against
-    elif against is not None:
+    elif against is not None and not (isinstance(against, str) and against == "wall"):
         solids: tuple[type[Solid], ...] = PARTNERS
         allowed = " or ".join(f"a stoss.{each.__name__}" for each in solids if _core.meets(first._kind, each._kind))
-        raise refusal("against", against, f"None, 'same', {allowed}")
+        raise refusal("against", against, f"None, 'wall', 'same', {allowed}")
     for name, solid in (("body", first), ("against", second)):
         if solid is not None and solid.material is None:
             raise refusal(name, solid, f"a stoss.{type(solid).__name__} with a material")

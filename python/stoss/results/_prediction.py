@@ -226,7 +226,9 @@ def _choose_met(against: Any) -> Against | str:
     if isinstance(against, str):
         if against == "same":
             return against
-        raise refusal("against", against, "None, 'same', a stoss.Sphere, a stoss.HalfSpace or a stoss.Plate")
+        if against == "wall":
+            return HardWall()
+        raise refusal("against", against, "None, 'wall', 'same', a stoss.Sphere, a stoss.HalfSpace or a stoss.Plate")
     kinds = (HardWall, ExponentialWall, *PARTNERS)
     return HardWall() if against is None else instance("against", against, kinds)
 

@@ -142,3 +142,21 @@ def test_a_quality_is_that_of_one_frequency_and_a_rigid_body_loses_nothing():
     assert RUBBER == stoss.Material(young=2e6, poisson=0.49, density=1100, loss_time=RUBBER.loss_time)
     assert dataclasses.replace(RUBBER, young=1e6).loss_time == RUBBER.loss_time
     assert stoss.Sphere(radius=5e-3, material=RUBBER, rigid=True).loss_time == 0
+
+
+def test_a_wall_has_a_name_as_in_the_command():
+    ball = stoss.Sphere(poisson=0.3)
+    steel = stoss.Sphere(radius=5e-3, material=stoss.materials["bearing steel"], loss_time=0)
+    calls = {
+        "restitution": lambda against: stoss.restitution(ball, against=against, speed=0.01),
+        "impact": lambda against: stoss.impact(ball, against=against, speed=0.01, cutoff=5),
+        "oblique": lambda against: stoss.oblique(ball, against=against, speed=0.01, angle=10, friction=0.1),
+        "predict": lambda against: stoss.predict(steel, against=against, speed=0.1),
+    }
+    for name, call in calls.items():
+        assert call("wall").restitution == call(stoss.HardWall()).restitution, name
+    assert stoss.quasistatic.yield_speed(steel, against="wall") == stoss.quasistatic.yield_speed(steel)
+    with pytest.raises(stoss.InvalidInput, match="'wall', 'same'"):
+        stoss.restitution(ball, against="floor", speed=0.01)
+    with pytest.raises(stoss.InvalidInput, match="got 'wall', allowed None, 'same'"):
+        stoss.pair_table(ball, against="wall", ratio=(1, 2), speed=(0.01, 0.1))
