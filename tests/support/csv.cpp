@@ -6,8 +6,10 @@
 
 namespace stoss::test {
 
+std::string data_path(const std::string& name) { return STOSS_TEST_DATA "/" + name; }
+
 std::vector<CsvRow> read_csv(const std::string& name) {
-  std::ifstream file(std::string(STOSS_TEST_DATA "/") + name);
+  std::ifstream file(data_path(name));
   if (!file) throw std::runtime_error("cannot read tests/data/" + name);
   std::vector<CsvRow> rows;
   std::vector<std::string> columns;

@@ -21,6 +21,9 @@ class CsvRow {
   std::map<std::string, std::string> cells_;
 };
 
+/// Path of tests/data/`name`.
+[[nodiscard]] std::string data_path(const std::string& name);
+
 /// Reads tests/data/`name`: # comments, one header line, comma-separated values without quotes.
 [[nodiscard]] std::vector<CsvRow> read_csv(const std::string& name);
 
