@@ -57,10 +57,10 @@ def main(folder: Path) -> None:
     figure, axes = plt.subplots(figsize=(7.2, 3.2), layout="constrained")
     place = np.arange(len(shown))
     for shift, (name, color) in enumerate(zip(CLAPPERS, ("#0072B2", "#D55E00"))):
-        label = f"{name} clapper, {2e3 * CLAPPERS[name]:.0f} mm"
+        label = f"{name} clapper, Ø {2e3 * CLAPPERS[name]:.0f} mm"
         bars = 100 * found[name][shown], 100 * errors[name][shown]
         axes.bar(place + 0.4 * shift - 0.2, bars[0], 0.4, yerr=bars[1], color=color, ecolor="black", label=label)
-    axes.set_xticks(place, labels=[f"{bell.frequency[k] / 1e3:.2f}" for k in shown], rotation=45)
+    axes.set_xticks(place, labels=[f"{bell.frequency[k] / 1e3:.2f}" for k in shown])
     axes.set(xlabel="partial / kHz", ylabel="share of the energy / %", title=f"A bell struck at {SPEED} m/s")
     axes.set_yscale("log")
     axes.legend()

@@ -22,7 +22,7 @@ import numpy as np
 import stoss
 
 FILES = Path(__file__).resolve().parent / "any_body"
-PLACES = (30, 100, 140, 170, 210, 250, 290)  # mm from the far end
+PLACES = (30, 100, 140, 170, 210, 250, 290)  # mm from the end of the barrel
 SPEED = 5.0  # m/s
 BALL = stoss.Sphere(radius=0.037, material=stoss.Material(young=1e8, poisson=0.3, density=683), loss_time=0)
 
@@ -55,9 +55,12 @@ def main(folder: Path) -> None:
         (left, restitution, error, "restitution ε"),
         (right, back, back_error, "speed of the ball, after / before"),
     ):
-        axes.errorbar(place, value, yerr=bar, fmt="o-", color="#0072B2", markersize=4, capsize=3)
-        axes.set(xlabel="distance from the far end of the bat / mm", ylabel=label)
+        axes.errorbar(place, value, yerr=bar, fmt="o", color="#0072B2", markersize=4, capsize=3)
+        axes.set(xlabel="distance from the end of the barrel / mm", ylabel=label)
         axes.grid(alpha=0.3)
+    for axes, there, name in ((left, best, "ε is best"), (right, fastest, "the ball is fastest")):
+        axes.axvline(there, color="0.6", linewidth=0.8, zorder=0)
+        axes.annotate(name, (there, axes.get_ylim()[0]), (4, 4), textcoords="offset points", color="0.4")
     figure.suptitle(f"A ball meets a bat at {SPEED:g} m/s")
     figure.savefig(folder / "bat.png", dpi=150)
     print(f"written: {folder / 'bat.png'}")

@@ -53,7 +53,7 @@ def main(folder: Path) -> None:
               f"contact {one.contact_time_si * 1e6:.1f} µs, mass {1e3 * mass_at_point(coin):.2f} g")  # fmt: skip
         for k in np.argsort(-share)[:2]:
             print(f"    {kilohertz[k]:6.1f} kHz takes {share[k]:.2f} ± {error[k]:.2f} %")
-        axis.bar(kilohertz, share, 4, color=color)
+        axis.bar(kilohertz, share, 4, yerr=error, color=color, ecolor="black")
         axis.set(xlabel="partial / kHz", title=f"{where}\nε = {one.restitution:.4f}", xlim=(0, 200),
                  xticks=(0, 50, 100, 150))
         axis.set(yscale="log", ylim=(1e-3, 50))

@@ -24,6 +24,8 @@ import stoss
 FILES = Path(__file__).resolve().parent / "any_body"
 THICKNESSES = (3, 4, 6, 9)  # mm
 SPEED = 0.1  # m/s
+COLORS = {3: "#0072B2", 4: "#009E73", 9: "#D55E00"}  # of those whose partials are drawn
+MARKERS = {3: "o", 4: "s", 9: "^"}
 BALL = stoss.Sphere(radius=8e-3, material=stoss.materials["bearing steel"], loss_time=0)
 
 
@@ -48,15 +50,15 @@ def main(folder: Path) -> None:
         print(f"{thickness} mm thick, {1e3 * ring.mass:.0f} g: ε = {epsilon}, contact {one.contact_time_si * 1e6:.0f} µs")
         for k in np.argsort(-share)[:4]:
             print(f"    {kilohertz[k]:6.2f} kHz takes {share[k]:.2f} ± {error[k]:.2f} %")
-        if thickness in (THICKNESSES[0], THICKNESSES[-1]):
-            color = "#0072B2" if thickness == THICKNESSES[0] else "#D55E00"
-            right.vlines(kilohertz, 1e-3, share, color=color, linewidth=2.5, label=f"{thickness} mm thick")
+        if thickness in COLORS:
+            right.plot(kilohertz, share, MARKERS[thickness], color=COLORS[thickness], label=f"{thickness} mm thick")
+            right.vlines(kilohertz, 1e-3, share, color=COLORS[thickness], linewidth=1.2)
     value, bar = np.transpose(lost)
-    left.errorbar(THICKNESSES, 100 * value, yerr=100 * bar, fmt="o-", color="black", markersize=4, capsize=3)
+    left.errorbar(THICKNESSES, 100 * value, yerr=100 * bar, fmt="o", color="black", markersize=4, capsize=3)
     left.set(xlabel="thickness of the ring / mm", ylabel="energy lost, 1 − ε² / %", ylim=(0, None))
-    right.set(xlabel="partial / kHz", ylabel="share of the energy / %", yscale="log", ylim=(1e-2, 60), xlim=(0, 60))
+    right.set(xlabel="partial / kHz", ylabel="share of the energy / %", yscale="log", ylim=(1e-2, 100), xlim=(0, 60))
     right.legend()
-    figure.suptitle(f"A ball of {2e3 * BALL.radius:.0f} mm strikes a ring at {SPEED} m/s")
+    figure.suptitle(f"A ball of Ø {2e3 * BALL.radius:.0f} mm strikes a ring at {SPEED} m/s")
     figure.savefig(folder / "ring.png", dpi=150)
     print(f"written: {folder / 'ring.png'}")
 

@@ -1,12 +1,16 @@
-"""Counts patterns of hard prose in Markdown pages, as far as a machine can see them.
+"""Counts patterns of hard prose in Markdown pages, docstrings, headers and help texts, as far as a machine can see.
 
-    python3 scripts/prose.py [-v] [PAGE ...]
+    python3 scripts/prose.py [-v] [PAGE ... | python | headers | help]
 
 prints, for each page, how often each pattern occurs per 1000 words; -v prints the sentences. Without pages it takes
-all pages for users. tests/docs/test_prose.py holds them below CEILINGS. Tables, code and formulas do not count.
+all pages for users. The other words stand for the docstrings of the package, the doc comments of public headers, and
+what `stoss … --help` prints. tests/docs/test_prose.py holds all below CEILINGS. Tables, code and formulas do not count.
 """
 
+import ast
+import os
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -91,18 +95,71 @@ def findings(text):
     return found, words
 
 
-def too_many(text):
-    """The patterns that a page has more often than its ceiling, with their sentences."""
+def too_many(text, but=()):
+    """The patterns that a page has more often than its ceiling, with their sentences; `but` those that do not count."""
     found, words = findings(text)
     for name, ceiling in CEILINGS.items():
+        if name in but:
+            continue
         its = [sentence for each, sentence in found if each == name]
         if len(its) > max(FEW if ceiling else 0, ceiling * words / 1000):
             yield name, its
 
 
+def docstrings():
+    """Of the public classes, functions and modules of the package, and of the words that several share."""
+    package = ROOT / "python/stoss"
+    texts = []
+    for file in sorted(package.rglob("*.py")):
+        tree = ast.parse(file.read_text(encoding="utf-8"))
+        for node in ast.walk(tree):
+            name = getattr(node, "name", file.stem)
+            if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and not name.startswith("_"):
+                texts.append(ast.get_docstring(node) or "")
+        if file.name == "_documentation.py":
+            shared = [node.value for node in tree.body if isinstance(node, ast.Assign) and isinstance(node.value, ast.Dict)]
+            texts += [text for words in shared for text in ast.literal_eval(words).values()]
+    text = "\n\n".join(texts)
+    text = re.sub(r"^ *>>>.*\n(?: *\S.*\n)*", "\n", text, flags=re.MULTILINE)  # examples
+    text = re.sub(r"^ +\*{0,2}\w[\w, ]*(?: ?\(.*?\))? ?: ", "\n\n", text, flags=re.MULTILINE)  # names of parameters
+    return re.sub(r"^ +", "", text, flags=re.MULTILINE)
+
+
+def headers():
+    """Doc comments, each of a parameter or behind a member as a paragraph."""
+    texts = []
+    for file in sorted((ROOT / "include/stoss").rglob("*.h*")):
+        source = file.read_text(encoding="utf-8")
+        texts += re.findall(r"\S.*///< ?(.*)", source)
+        text = re.sub(r"^(?!\s*///).*$|^\s*///     .*$", "", source, flags=re.MULTILINE)
+        text = re.sub(r"^\s*/// ?", "", text, flags=re.MULTILINE)
+        texts.append(re.sub(r"@(?:param(?:\[\w+\])? [\w,]+|return|throws|brief)\s+", "\n\n", text))
+    return "\n\n".join(texts)
+
+
+def help_texts():
+    """What all subcommands say of themselves and of their options, without values, usage and examples."""
+    stoss = os.environ.get("STOSS", ROOT / "build/release/cli/stoss")
+
+    def said(*names):
+        return subprocess.run([stoss, *names, "--help"], capture_output=True, encoding="utf-8", check=True).stdout
+
+    general = said()
+    names = re.findall(r"^  ([a-z]+) ", general.partition("Subcommands:")[2], re.MULTILINE)
+    text = "\n\n".join([general, *map(said, names)])
+    text = re.sub(r"^Usage: .*|^(?:Examples?|\w.*):$|^  stoss .*(?:\n {4}.*)*", "\n", text, flags=re.MULTILINE)
+    text = re.sub(r"^ {2}\S.*?(?: {2,}|$)|^ {6}\S.*", "\n\n", text, flags=re.MULTILINE)  # names of options
+    text = re.sub(r"^ {24,28}(?=[\w-]+: )", "\n\n", text, flags=re.MULTILINE)  # the values that they take
+    return re.sub(r"^ +", "", text, flags=re.MULTILINE)
+
+
+# What these texts say of a parameter is a noun, so that fragments are right there.
+FACES = {"python": docstrings, "headers": headers, "help": help_texts}
+
+
 def main(arguments):
-    for page in [Path(name) for name in arguments if name != "-v"] or pages():
-        found, words = findings(page.read_text(encoding="utf-8"))
+    for page in [name for name in arguments if name != "-v"] or pages():
+        found, words = findings(FACES[page]() if page in FACES else Path(page).read_text(encoding="utf-8"))
         counts = {name: sum(each == name for each, _ in found) for name in PATTERNS}
         shown = ", ".join(f"{name} {1000 * count / max(words, 1):.1f}" for name, count in counts.items() if count)
         print(f"{page}: {words} words; {shown}")

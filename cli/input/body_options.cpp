@@ -52,7 +52,7 @@ void BodyOptions::add_kind_to(CLI::App& command, const std::vector<std::string>&
   kinds_ = kinds;
   std::string help = "Kind of body (default: sphere)";
   for (const std::string& name : kinds) {
-    if (parameter(kind(name), "poisson") == nullptr) help += "; a " + name + " has no Poisson's ratio";
+    if (parameter(kind(name), "poisson") == nullptr) help += ". A " + name + " has no Poisson's ratio";
   }
   if (!files) {
     add_choice(command, "--body", kind_, kinds, help, "BODY", "Body");
@@ -97,7 +97,7 @@ void BodyOptions::add_material_to(CLI::App& command, bool yield) {
     }
   }
   add_choice(command, "--plane", plane_, {"stress", "strain"},
-             "Of a disk: thin (stress) or a long cylinder (strain); default: stress", "PLANE", group);
+             "Shape of a disk: thin (stress) or a long cylinder (strain); default: stress", "PLANE", group);
   if (!yield) return;
   add(command, "--yield", yield_,
       "Yield strength of a sphere in Pa; adds the speed at which it begins\nto yield, and flags values beyond it", "PA",

@@ -28,8 +28,8 @@ std::vector<std::string> keys_of(const Kind& its) {
 /// Its help: name, keys, and what it is.
 std::string lines_of(const Kind& its) {
   const std::vector<std::string> keys = keys_of(its);
-  std::string with = keys.empty() ? "" : fmt::format(";\n   keys {}", fmt::join(keys, ", "));
-  if (its.add_layer) with += "\n   and layers below, as /KEY=NUMBER,...; the last may be a block";
+  std::string with = keys.empty() ? "" : fmt::format(",\n   keys {}", fmt::join(keys, ", "));
+  if (its.add_layer) with += "\n   and layers below, as /KEY=NUMBER,... (the last may be a block)";
   return fmt::format("\n  {}: {}{}", its.name, its.help, with);
 }
 

@@ -51,8 +51,8 @@ Vibration parse_modes(const std::string& option, const std::vector<std::string>&
 void add_modes_to(CLI::App& command, std::vector<std::string>& modes) {
   add(command, "--mode", modes,
       "A mode that vibrates before the impact, once for each: order n and\n"
-      "index l as stoss modes has them; its energy, as a share of the\n"
-      "translational one; its phase in radians when unexcited bodies\n"
+      "index l as stoss modes has them, its energy as a share of the\n"
+      "translational one, and its phase in radians when unexcited bodies\n"
       "would touch (default: 0); of the second body with of=second",
       "N,L,energy=SHARE[,phase=PHI][,of=second]", "Vibration");
 }
@@ -68,7 +68,7 @@ void SpectrumArguments::add_to(CLI::App& command) {
   add_input(command, Question::distribution, "highest", highest, "Vibration");
   add(command, "--spectrum", modes,
       "A mode that vibrates, once for each: order n and index l as stoss\n"
-      "modes has them; its mean energy, as a share of the translational\n"
+      "modes has them, and its mean energy as a share of the translational\n"
       "one, 0 to 1e6; of the second body with of=second",
       "N,L,energy=SHARE[,of=second]", "Vibration");
 }

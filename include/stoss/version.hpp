@@ -6,10 +6,10 @@
 
 namespace stoss {
 
-/// Version of the library, as in "2.0.0": that of what is linked, at run time.
+/// Version of the linked library at run time, as in "2.0.0".
 ///
-/// Three numbers: the first changes with what users must change, the second with what is new, the third with what is
-/// mended (docs/developer/versions.md). Files that stoss writes name it. The commit is known to the command (`stoss
+/// The first of its three numbers rises if users must change something, the second with new features, the third with
+/// fixes (docs/developer/versions.md). Files that stoss writes name it. The commit is known to the command (`stoss
 /// --version`).
 [[nodiscard]] std::string_view version();
 

@@ -16,15 +16,15 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 PARAMETERS = {
     "body": "The first body, in whose units all results are.",
-    "speed": "Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material: m/s). Two equal"
-    " bodies at twice the speed are one of them at a rigid wall.",
+    "speed": "Speed of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material: m/s). Equal"
+    " bodies at twice the speed rebound as one of them from a rigid wall.",
     "against": "What the body meets: a rigid wall ('wall', the default), another wall, an identical body ('same'), another of its"
     " kind, or, for a sphere, a half-space or a plate, for a disk a half-plane or a strip.",
     "poisson": "In place of `body`: 2-D Poisson's ratio of a disk, −0.95 to 0.995; an array broadcasts.",
     "cutoff": "Highest frequency of the modes that are kept, c/R.",
     "step": "Time step, R/c.",
-    "nodes": "Of the contact grid.",
-    "half_width": "Of the contact grid, R.",
+    "nodes": "Number of points of the contact grid.",
+    "half_width": "Half the width of the contact grid, R.",
     "tail": "How the modes above the cutoff answer a hard contact: 'radiating', with static compliance at low and"
     " plane-wave impedance at high frequency, or 'static', with static compliance only.",
     "state": "How the bodies vibrate before the impact: modes up to `cutoff`, or an array as `Impact.state_after` gives"
@@ -35,17 +35,17 @@ PARAMETERS = {
     "seed": "Each seed gives another ensemble.",
     "threads": "0: as many as the machine has. Results do not depend on it.",
     "progress": "Show on stderr a bar of the values, or where they cannot be counted for how long it has gone on.",
-    "law": "Of compression: 'center', 'diameter' or 'hertz', see `stoss.quasistatic`.",
+    "law": "Law of compression: 'center', 'diameter' or 'hertz', see `stoss.quasistatic`.",
     "force": "F, mc²/R; broadcasts with the other arrays.",
     "time": "R/c from the start of the impact, any order; during the impact the nearest step is taken.",
-    "path": "Where to; an existing file is replaced.",
+    "path": "File to write; an existing one is replaced.",
     "store": "Directory of the values of a sweep.",
     "mix": "Take values of other versions of stoss too, where this one has none, and leave out those of other grids."
     " Without it such a store is refused.",
-    "of": "Of which body: 0 the first, 1 the second.",
+    "of": "The body that is meant: 0 the first, 1 the second.",
     "order": "Angular order n of a disk, degree n of a sphere; of a rod 0.",
     "index": "Number l of the mode among those of its order, from 0.",
-    "frame": "Which of the field's times, if it has several.",
+    "frame": "Number of the instant, if the field has several.",
     "columns": "Pictures in a row.",
     "ax": "Where to draw; further calls with the same Axes add to it. Default: a new figure.",
     "label": "Name of the curve in the legend.",
@@ -57,7 +57,7 @@ FIELDS = {
     "body": "The first; all units are its own.",
     "against": "What it meets.",
     "poisson": "Poisson's ratio, of a disk the 2-D one.",
-    "speed": "Of approach of the centres of mass, or towards the wall, c.",
+    "speed": "Speed of approach of the centres of mass, or towards the wall, c.",
     "restitution": "ε = −v_f/v_i of the relative motion; above 1 where vibration is given back.",
     "cutoff": "Modes up to this frequency are kept, c/R.",
     "tail": "How the modes above the cutoff answered: 'radiating' or 'static'.",
@@ -65,13 +65,13 @@ FIELDS = {
     "keep": "Which modes up to the cutoff were kept, if not all.",
     "state": "How the bodies vibrated before, if they did: a structured array with the fields body, order, index,"
     " energy (as a share of the translational one) and phase.",
-    "beyond": "What it does beyond its range: 'error', 'clamp' or, where there is one, 'law'.",
+    "beyond": "Answer beyond its range: 'error', 'clamp' or, where there is one, 'law'.",
     "tolerance": "Asked for: error of 1 − ε² over 1 − ε².",
-    "absolute": "Or error of 1 − ε².",
-    "decay_time": "As it was given.",
-    "seed": "Of the ensemble.",
-    "law": "Of compression.",
-    "impact": "Of which it is a part.",
+    "absolute": "Alternative to it: absolute error of 1 − ε².",
+    "decay_time": "Time in which vibrational energies fall in flight, as given.",
+    "seed": "Seed of the random numbers of the ensemble.",
+    "law": "Law of compression.",
+    "impact": "The impact that it is a part of.",
     "compression": "δ = R + x₀, R.",
 }
 

@@ -34,12 +34,12 @@ class InvalidInput(ValueError):
 
     @classmethod
     def out_of_range(cls, name: object, got: object, allowed: object, hint: object = "") -> InvalidInput:
-        """name: got …, allowed … (hint)"""
+        """The template of a value out of its range."""
         return cls("out_of_range", name, got, allowed, hint)
 
     @classmethod
     def missing(cls, name: object, needed: object = "", hint: object = "") -> InvalidInput:
-        """name: missing, what is needed (hint)"""
+        """The template of a missing input."""
         return cls("missing", name, "", needed, hint)
 
     @classmethod

@@ -96,7 +96,7 @@ std::vector<Kind> make_kinds() {
   modal.parameters = {}, modal.solid = {}, modal.from_file = true;
   Kind half_space = sphere;
   half_space.name = "half-space", half_space.plural = "half-spaces";
-  half_space.help = "a large block for spheres; its waves do not return";
+  half_space.help = "a large block for spheres, whose waves do not return";
   half_space.bounded = half_space.can_be_rigid = false;
   half_space.parameters = {solid_poisson_number, young, density, loss_time};
   half_space.solid = unbounded<HalfSpace>;

@@ -1,4 +1,4 @@
-"""Draws how gases of rough particles cool, and how rotation and translation share the energy:
+"""Draws how rotation and translation share the energy in gases of rough particles:
 rough_figure.py FILE PICTURE."""
 
 import csv
@@ -9,7 +9,7 @@ from matplotlib import pyplot
 RULES = {
     "stoss": ("rule of stoss", "#0072B2", "-"),
     "constant": ("constant ε and $ε_t$", "#D55E00", "-"),
-    "mean field": ("these in mean-field theory", "#000000", ":"),
+    "mean field": ("mean-field theory for these constants", "#000000", ":"),
 }
 
 
@@ -25,23 +25,15 @@ def columns(table, body, rule, *names):
 
 def draw(table):
     pyplot.rcParams.update({"font.size": 8, "axes.linewidth": 0.6, "lines.linewidth": 1.2})
-    figure, axes = pyplot.subplots(2, 2, figsize=(7.2, 5.4), dpi=150, layout="constrained", sharey="row")
-    for (cooling, sharing), body in zip(axes.T, ("disks", "spheres")):
+    figure, axes = pyplot.subplots(1, 2, figsize=(7.2, 2.9), dpi=150, layout="constrained", sharey=True)
+    for sharing, body in zip(axes, ("disks", "spheres")):
         for rule, (name, color, style) in RULES.items():
-            time, count, moving, turning = columns(
-                table, body, rule, "time[R/c]", "collisions", "translation", "rotation"
-            )
-            start = moving[0]
-            cooling.plot(time, [each / start for each in moving], color=color, linestyle=style, label=name)
-            if rule != "mean field":
-                cooling.plot(time, [each / start for each in turning], color=color, linestyle="--", linewidth=0.9)
-            sharing.plot(count, [b / a for a, b in zip(moving, turning)], color=color, linestyle=style)
-        cooling.set(xscale="log", yscale="log", xlabel="time / (R/c)", title=body)
-        sharing.set(xlabel="collisions of a particle", ylim=(0, 1.05))
-    axes[0, 0].plot([], [], color="0.4", linestyle="--", linewidth=0.9, label="of rotation")
-    axes[0, 0].set_ylabel("temperature / initial one")
-    axes[0, 0].legend(frameon=False, fontsize=7, loc="lower left")
-    axes[1, 0].set_ylabel("temperature, rotation / translation")
+            count, moving, turning = columns(table, body, rule, "collisions", "translation", "rotation")
+            ratio = [b / a for a, b in zip(moving, turning)]
+            sharing.plot(count, ratio, color=color, linestyle=style, label=name)
+        sharing.set(xlabel="collisions of a particle", ylim=(0, 1.05), title=body)
+    axes[0].set_ylabel("temperature, rotation / translation")
+    axes[1].legend(frameon=False, fontsize=7, loc="upper right")
     return figure
 
 

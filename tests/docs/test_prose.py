@@ -1,4 +1,5 @@
-"""Pages for users stay below the ceilings of scripts/prose.py for patterns of hard prose."""
+"""Pages for users, docstrings, doc comments of headers and help texts stay below the ceilings of scripts/prose.py for
+patterns of hard prose."""
 
 import importlib.util
 import re
@@ -14,6 +15,12 @@ SPEC.loader.exec_module(prose)
 @pytest.mark.parametrize("page", prose.pages(), ids=lambda page: str(page.relative_to(ROOT)))
 def test_page_is_below_the_ceilings(page):
     assert not dict(prose.too_many(page.read_text(encoding="utf-8")))
+
+
+@pytest.mark.parametrize("face", prose.FACES)
+def test_face_is_below_the_ceilings(face):
+    text = prose.FACES[face]()
+    assert prose.findings(text)[1] > 1000 and not dict(prose.too_many(text, but=("I fragments",)))
 
 
 @pytest.mark.parametrize("page", prose.pages(), ids=lambda page: str(page.relative_to(ROOT)))

@@ -26,8 +26,8 @@ struct HalfPlane {
 /// Lamb's response of the surface has a positive spectrum (docs/theory/half_space.md), so a half-space is a body of
 /// ordinary undamped modes: for each wave number k one Rayleigh wave and a continuum of faster ones, with the shape
 /// J₀(kr). Their sums are quadratures, good while the contact lasts; the body has no translation and takes energy only
-/// as waves that run away. It has no size: its unit of length is any, that of the first body where it meets one;
-/// besides, c = √(E/ρ) and ρ are its units.
+/// as waves that run away. It has no size: its unit of length is any, that of the first body where it meets one.
+/// Its other units are c = √(E/ρ) and ρ.
 /// @param cutoff   highest frequency, above 0
 /// @param duration longest contact, in its units of time, above 0
 /// @throws InvalidInput outside these ranges, for a modulus or density that is not positive and finite, and where it

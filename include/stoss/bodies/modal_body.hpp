@@ -22,7 +22,8 @@ struct PointMode {
   double tangential_error = 0.0;    ///< of ψ
 };
 
-/// What friction along one direction t of the surface, in the plane of impact, asks of a body besides its modes.
+/// What friction along one direction t of the surface, in the plane of impact, needs of a body in addition to its
+/// modes.
 ///
 /// With M and I of the whole body and the lever r from its centre of mass to the point, t moves the point as
 ///
@@ -86,8 +87,8 @@ struct ModalBody {
 [[nodiscard]] Scales scales(const ModalBody& body);
 
 /// Makes the body at any cutoff up to complete_to, in its own units own_length = c = ρ = 1.
-/// @throws InvalidInput for numbers out of range; modes that are not in rising order; fewer than the local law of Weyl
-///         asks for below complete_to; more compliance in the modes than c₀ allows. Its Body::along throws without a
+/// @throws InvalidInput for numbers out of range, modes that are not in rising order, fewer than the local law of Weyl
+///         asks for below complete_to, or more compliance in the modes than c₀ allows. Its Body::along throws without a
 ///         tangent, and where both directions act on each other by more than a share of 0.05
 [[nodiscard]] BodyMaker modal_body(ModalBody body);
 

@@ -39,7 +39,8 @@ struct Strip {
 /// At each wave number k the plate is a sequence of undamped modes, the branches of Rayleigh and Lamb, and of all of
 /// them the static answer is known exactly (docs/theory/plates.md). They move the surface as J₀(kr). Sums over k are
 /// quadratures, good while the contact lasts; the plate has no translation and takes energy only as waves that run
-/// away. Its unit of length is that of the thickness; besides, c = √(E/ρ) and ρ of the uppermost layer are its units.
+/// away. Its unit of length is that of the thickness; in addition, c = √(E/ρ) and ρ of the uppermost layer are its
+/// units.
 /// @param cutoff   highest frequency, above 0
 /// @param duration longest contact, in its units of time, above 0
 /// @throws InvalidInput outside these ranges, for a thickness, modulus or density that is not positive and finite (a

@@ -61,7 +61,7 @@ struct BodyScale {
   double mass = 1.0;    ///< m
 };
 
-/// How many contact points a body asks for across the half-width a of a hard contact when points and modes are refined
+/// How many contact points a body needs across the half-width a of a hard contact when points and modes are refined
 /// together: with modes up to ω_c the greater of
 ///
 ///   points · (ω_c/cutoff)^power   for the pressure, and   along_edge · ω_c √a   for the waves along the edge,
@@ -131,7 +131,7 @@ struct Body {
   double mass = 0.0;                  ///< of the body, and of every mode
   double extent = 0.0;                ///< distance from the centre of mass to the foremost point
   double curvature = 1.0;             ///< of its surface near the foremost point, 1/R
-  double curvature_difference = 0.0;  ///< of the principal curvatures there, of which `curvature` is the mean, 1/R
+  double curvature_difference = 0.0;  ///< of the principal curvatures there, 1/R; `curvature` is their mean
   double softness = 1.0;    ///< 1/E* near its end, in 1/E: 1 in plane stress, 1 − ν² in plane strain, 0 if rigid
   double inertia = 0.0;     ///< moment about the centre of mass, mass × R²; 0: it does not turn
   double mass_along = 0.0;  ///< of the whole body against forces along its surface; 0: the same as along the normal
@@ -167,7 +167,7 @@ struct Body {
   /// ones (0) and tangential and odd normal ones (1). Empty for bodies that have none, as rods.
   std::function<std::vector<Body>(const Poll& poll)> along{};
 
-  /// The same ball against forces that are alike all around the axis: normal ones, and friction that acts outward along
+  /// The same ball against forces that do not vary around the axis: normal ones, and friction that acts outward along
   /// the surface. Rings move along the axis (first component) and out from it (second). Empty for other bodies.
   std::function<Body(const Poll& poll)> outward{};
 
@@ -187,8 +187,8 @@ using BodyMaker = std::function<Body(double cutoff, const Poll& poll)>;
 /// Makes the rigid body at any cutoff. @throws InvalidInput for a half-space or half-plane
 [[nodiscard]] BodyMaker rigid(const BodyMaker& maker);
 
-/// Checks what a contact relies on: positive finite scale, mass and cutoff; groups with arrays of one length, finite
-/// weights and 0 < ω ≤ kept_cutoff(body); all functions.
+/// Checks what a contact relies on: positive finite scale, mass and cutoff, groups with arrays of one length, finite
+/// weights and 0 < ω ≤ kept_cutoff(body), and all functions.
 /// @throws InvalidInput naming the body and what is wrong with it
 void validate(const Body& body);
 

@@ -21,7 +21,7 @@ struct Collision {
 };
 
 /// The collision in units of the first body.
-/// @throws InvalidInput for a number out of its range, a tangential velocity besides an angle, and as validate
+/// @throws InvalidInput for a number out of its range, a tangential velocity beside an angle, and as validate
 [[nodiscard]] ObliqueCase own_units(const Encounter& encounter, const Collision& collision);
 
 /// A collision as a JSON object of its numbers; those that are 0 may be left out, but for the speed.

@@ -12,7 +12,7 @@
 ///    "against": {"kind": "half-space", "material": {"young": 7e10, "poisson": 0.22, "density": 2500}},
 ///    "vibration": [{"body": "first", "order": 2, "index": 0, "energy": 0.1, "phase": 0}]}
 ///
-/// `against` may be the name of a kind without numbers, as "wall" or "same"; all but `first` may be left out; a
+/// `against` may be the name of a kind without numbers, as "wall" or "same". All but `first` may be left out. A
 /// document of another or a later format is refused. A plate of layers has in place of its numbers a list of those of
 /// its layers, from the top down:
 ///

@@ -21,7 +21,7 @@ struct Participant {
   std::string material_name{};         ///< where it is a named one
   Plane plane = Plane::stress;         ///< of a disk or a half-plane with a material
   bool rigid = false;                  ///< keeps its mass and the units of the elastic body
-  /// Further layers, downwards, of which values and material count; a last one without a thickness is a block.
+  /// Further layers, downwards: their values and materials count; a last one without a thickness is a block.
   std::vector<Participant> below{};
   std::shared_ptr<const ModalBody> modal{};  ///< of kind "modal": the body in SI, of whose point `material` is
 };

@@ -8,8 +8,9 @@
 
 #include "stoss/quantity.hpp"
 
-/// The table of inputs: the numbers that a question takes besides who meets whom. Options, arguments, fields and keys,
-/// their ranges, defaults and help follow from it in every face, as those of bodies follow from the table of kinds.
+/// The table of inputs: the numbers that a question takes in addition to who meets whom. Options, arguments, fields and
+/// keys, their ranges, defaults and help follow from it in every face, as those of bodies follow from the table of
+/// kinds.
 namespace stoss {
 
 /// What can be asked of an encounter.

@@ -26,7 +26,7 @@ using Inside = std::function<Interior(const BodyFrame&)>;
 /// computed, as it is at rest. In these contact points are put together into at least eight rings, about 0.006 of the
 /// unit of length wide, which is as fine as a picture.
 /// @param rest   at any instant, for its modes and contact points
-/// @param points of a body; of a rod its radii are places along it, 0 at the struck end, and all angles are alike
+/// @param points of a body; of a rod its radii are places along it, 0 at the struck end, and angles do not count
 /// @param below  of a half-space or a plate, at least three depths and distances
 /// @throws InvalidInput for points that are not inside
 [[nodiscard]] Inside inside(const Solid& solid, const BodyFrame& rest, const bodies::PolarGrid& points,

@@ -61,7 +61,7 @@ struct ModeEnergy {
   double omega = 0.0;    ///< c/R
   double before = 0.0;   ///< before the impact
   double after = 0.0;    ///< after the impact
-  double average = 0.0;  ///< mean over the steps in contact, of which every fourth is taken
+  double average = 0.0;  ///< mean over every fourth step in contact
 };
 
 /// Where the energy is after the impact, as shares of the initial energy; the sum is 1 but for energy_error. Of a body

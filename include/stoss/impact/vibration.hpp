@@ -23,8 +23,8 @@ using Vibration = std::vector<Oscillation>;
 /// the clearance in a lossy material, whose modes have at that instant the energies that they are given; only their
 /// phases are followed back.
 /// @param speed of approach, as for `impact`
-/// @throws InvalidInput for a speed out of range; a mode that the bodies do not have, or that comes twice; an energy
-///         that is negative or not finite, a phase that is not finite; and bodies of which only a part is there
+/// @throws InvalidInput for a speed out of range, a mode that the bodies do not have or that comes twice, an energy
+///         that is negative or not finite, a phase that is not finite, and bodies of which only a part is there
 ///         (half-spaces, much larger bodies)
 [[nodiscard]] State approach(const Contact& contact, double speed, const Vibration& vibration);
 

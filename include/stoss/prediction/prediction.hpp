@@ -73,9 +73,9 @@ struct Thresholds {
 
 /// How a prediction is made.
 struct PredictionOptions {
-  /// w, J/m². Not given: 2√(γ₁γ₂) of both surface energies, of a wall that of the body; 0 where one has none.
+  /// w, J/m². Default: 2√(γ₁γ₂) of both surface energies (a wall has that of the body), 0 where one has none.
   std::optional<double> work_of_adhesion{};
-  /// u of constants, by name, in place of those of named materials: 0 to 10; 0: exactly known.
+  /// u of constants, by name, in place of those of named materials, 0 (exactly known) to 10.
   std::map<std::string, double, std::less<>> uncertainties{};
   bool influences = true;   ///< whether constants are varied, which takes most of the time
   double tolerance = 1e-3;  ///< of the computed channels, as `restitution` has it

@@ -48,7 +48,7 @@ class RefinableContact {
   [[nodiscard]] int highest_whole_level() const;
 
   /// The contact at the cutoff of a level.
-  /// @throws what the makers and poll throw; InvalidInput for a level outside 0 … highest_level()
+  /// @throws what the makers and poll throw; InvalidInput for a level outside 0 … highest_level().
   [[nodiscard]] const Contact& at(int level, const Poll& poll = {}) const;
 
   /// Size of the part of a body that stands for it, over that of the whole (BodyPart); 1 where both are whole. A disk

@@ -33,8 +33,8 @@ class PairTable {
   };
 
   /// @param beyond error or clamp, for speeds and for ratios
-  /// @throws InvalidInput for speeds or ratios that do not rise or are not positive, for ratios below 1 of bodies that
-  ///         are alike, values or errors that are not finite or too few, and Beyond::law: of unequal bodies there is
+  /// @throws InvalidInput for speeds or ratios that do not rise or are not positive, for ratios below 1 of bodies of
+  ///         one material, values or errors that are not finite or too few, and Beyond::law: of unequal bodies there is
   ///         no law of slow impacts
   explicit PairTable(PairValues values, Beyond beyond = Beyond::error);
 

@@ -53,9 +53,9 @@ void validate(const RefinableContact& contact, double speed, const Spectrum& spe
 /// not converge does not end the ensemble: it has `converged` false, a reason, and the best value, or NaN where no two
 /// impacts end.
 ///
-/// The phases and energies of the modes are independent of the instant at which the bodies meet, so every sample counts
-/// alike: the ensemble is that of bodies thrown at each other at this speed, not of pairs that meet in a gas, where
-/// fast pairs meet more often.
+/// The phases and energies of the modes are independent of the instant at which the bodies meet, so all samples have
+/// one weight: the ensemble is that of bodies thrown at each other at this speed, not of pairs that meet in a gas,
+/// where fast pairs meet more often.
 /// @param speed of approach, 1e-8 … 1, in c
 /// @throws InvalidInput as `validate`, before anything is computed; what observer and poll throw, after the impacts
 ///         under way have stopped

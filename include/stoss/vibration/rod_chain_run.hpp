@@ -10,8 +10,8 @@
 
 namespace stoss {
 
-/// Velocities drawn from Maxwell's distribution, each normal with the mean square temperature/mass, of which the
-/// velocity of the centre of mass is then taken away. The same for the same seed.
+/// Velocities drawn from Maxwell's distribution, each normal with the mean square temperature/mass, less the velocity
+/// of their centre of mass. The same for the same seed.
 /// @param temperature twice the mean kinetic energy of a rod, 0 to 1e100
 /// @throws InvalidInput for arguments out of range
 [[nodiscard]] std::vector<double> thermal_velocities(std::span<const Rod> rods, double temperature, std::uint64_t seed);

@@ -53,7 +53,7 @@ def choose_bodies(given: Any) -> tuple[list[Body], NDArray[np.float64]]:
 
 def choose_against(body: Body, against: Any, walls: tuple[type, ...]) -> Against:
     """What the body meets: one of these walls, an identical body, or another body."""
-    named = {"same": body, **({"wall": HardWall()} if HardWall in walls else {})}
+    named: dict[str, Any] = {"same": body, **({"wall": HardWall()} if HardWall in walls else {})}
     if against is None:
         against = HardWall()
     if isinstance(against, str) and against in named:

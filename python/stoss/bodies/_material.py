@@ -32,7 +32,7 @@ class Scales(NamedTuple):
 
 @dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
 class Material:
-    """An isotropic elastic material in SI, of which bodies are made.
+    """An isotropic elastic material of bodies, in SI.
 
     Bodies made of it meet at speeds in m/s, and results also have SI values, under names that end
     in ``_si``.

@@ -44,7 +44,7 @@ class ModalBody(Solid):
             0: a plane.
         young, poisson, density (float): Material at the point: E in Pa, ν, ρ in kg/m³.
         compliance (float): c₀, m/N.
-        frequency (array_like): Of the elastic modes that move the point, Hz, rising.
+        frequency (array_like): Frequencies of the elastic modes that move the point, Hz, rising.
         displacement (array_like): Along the outward normal at the point, kg^(−1/2), of each mode with
             ∫ρ|u|² dV = 1.
         displacement_curvature (array_like, optional): χ, kg^(−1/2) m⁻²: at the distance r from the
@@ -52,17 +52,17 @@ class ModalBody(Solid):
             refused, and the error is larger.
         frequency_error, displacement_error (array_like, optional): Errors, which enter those of
             results; 0.
-        compliance_error (float, optional): Of c₀; 0.
+        compliance_error (float, optional): Error of c₀; 0.
         complete_to (float, optional): Frequency in Hz up to which no mode is missing; the highest.
         loss_time (float, optional): η of the whole body, s; 0.
         rotation (mapping, optional): Where the line of the blow misses the centre of mass: `inertia`
-            about it, 3 × 3, kg m²; `point` of contact from there, m; its outward `normal`.
+            about it, 3 × 3, kg m², `point` of contact from there, m, and its outward `normal`.
         tangent (mapping, optional): What friction along one direction asks of the body: `direction`, in
             the plane of impact; its static `compliance` there as c₀, c_t in m/N, and `compliance_error`.
             Without `rotation` also `inertia` and `arm` of the round body as which it turns, kg m² and m,
             both 0 if it does not. Without a tangent friction is refused, as it is where a mode moves the
             point along the normal and along the surface at once.
-        tangential_displacement (array_like, optional): Of each mode along that direction, kg^(−1/2).
+        tangential_displacement (array_like, optional): Displacement of each mode along that direction, kg^(−1/2).
         tangential_displacement_curvature, tangential_displacement_error (array_like, optional): As above.
         name, origin (str, optional): What it is, and where its numbers come from.
         material (Material): Not to be given: that of `young`, `poisson` and `density`.

@@ -65,7 +65,7 @@ class Rod(Solid):
 
     Parameters:
         length: Length L; 1, or with a material to be given in m.
-        area: Of the cross-section, A; 1, or with a material to be given in m².
+        area: Area of the cross-section, A; 1, or with a material to be given in m².
         material (Material): In place of `young` and `density`.
 
     Examples:

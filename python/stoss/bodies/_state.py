@@ -26,7 +26,7 @@ class Oscillation:
         energy (float): ½ m ω² A², as a share of the translational energy before the impact; 0 or
             more.
         phase (float, optional): φ, radians.
-        of ({0, 1}, optional): Of which body: the first, or the second.
+        of ({0, 1}, optional): The body that vibrates: the first, or the second.
 
     Examples:
         >>> ringing = stoss.Oscillation(order=2, index=0, energy=0.1, phase=2.0)

@@ -42,9 +42,9 @@ class Table(Mapping[str, NDArray[Any]]):
 
     Attributes:
         kind (str): What wrote it: restitution, modes, impact, trajectory, …
-        version (str): Of stoss.
+        version (str): The version of stoss.
         inputs (mapping of str to str): What made it, as in the file.
-        units (mapping of str to str): Of the columns that have one.
+        units (mapping of str to str): Units of the columns that have one.
         columns (mapping of str to ndarray): By name; an error that is unknown is infinite.
     """
 
@@ -95,7 +95,7 @@ def read_csv(path: str | os.PathLike[str]) -> Table:
     """Read a CSV that `to_csv` of a result or the command has written.
 
     Parameters:
-        path (str or path): Of the file; one that is damaged, or of another origin, or of a stoss
+        path (str or path): The file; one that is damaged, or of another origin, or of a stoss
             whose version begins with a higher number, is refused.
 
     Examples:

@@ -56,7 +56,7 @@ def write_columns(
     inputs: Mapping[str, Any],
     form: str,
 ) -> None:
-    """The columns of a result, of which those named as dimensions are its coordinates."""
+    """The columns of a result; those named as dimensions are its coordinates."""
     try:
         import netCDF4
     except ImportError:

@@ -21,14 +21,14 @@ SPEEDS = 9
 """In a range, equally spaced in their logarithm."""
 
 TOLERANCE = 3e-3
-"""Of the loss 1 − ε²: few laws come so near."""
+"""Error of the loss 1 − ε²: few laws come so near."""
 
 SLIDING = np.array([0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0])
 """Sliding velocities over μv: from about 6 on all slides to the end."""
 
 
 def pair_of(body: Sphere, against: Met) -> Pair:
-    """The two as laws know them."""
+    """The two bodies, with the numbers that laws use."""
     second = against if isinstance(against, Sphere) else None
 
     def mass(ball: Sphere) -> float:

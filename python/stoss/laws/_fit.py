@@ -58,11 +58,11 @@ class Fit(Result):
         friction: Coefficient μ of Coulomb's law.
         misfit: Largest and root mean square deviation from stoss of `restitution`, of
             `contact_time`, relative, and of `tangential_restitution`, where the law has them.
-        constants: Of the law, by name.
+        constants: Constants of the law, by name.
         lines: The law in the words of the program.
         fitted: The law itself: `restitution(speed)`, `contact_time(speed)` and
             `tangential_restitution(speed, sliding)` take arrays.
-        speed: Of approach.
+        speed: Speed of approach.
         restitution, law_restitution: ε as stoss computes it, and of the law.
         contact_time, law_contact_time: The same of the contact time; NaN of a law without.
         sliding: s/(μv) of the impacts at an angle.
@@ -172,8 +172,8 @@ def fit(
 ) -> Fit:
     """Fit a force law to elasticity: the constants whose ε, contact time and ε_t come nearest to stoss.
 
-    Nine speeds count alike, equally spaced in their logarithm. What decides ε has the least root mean
-    square error of ε; then the stiffness has that of the contact time, relative; then the stiffness
+    Nine speeds count equally, at equal distances in their logarithm. The constant that decides ε has the least root mean
+    square error of ε. Then the stiffness has that of the contact time, relative, and the stiffness
     along the surface that of ε_t, at nine s/(μv) from 0.5 to 8. A law may be far off: look at `misfit`.
 
     Parameters:

@@ -13,7 +13,7 @@ from stoss._errors import InvalidInput
 WORDS = """The modes of a body and its compliance at one point of its surface, by finite elements.
 
 Give two meshes of the same body, fine and coarse, for errors: each number errs by what it differs
-between them. Of a shape (.geo, .step, .brep) both are made here. The file is for stoss."""
+between them. From a shape (.geo, .step, .brep) both are made here. The file is for stoss."""
 
 SHAPES = (".geo", ".step", ".stp", ".brep")
 UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6}

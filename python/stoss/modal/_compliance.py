@@ -76,7 +76,7 @@ def compliance(
     widest: float | None,
     along: bool = False,
 ) -> dict[str, float]:
-    """c0 in units with E = 1, extrapolated to no radius; how far this reaches; the widest radius.
+    """c0 in units with E = 1, extrapolated to no radius, how far this reaches, and the widest radius.
 
     `widest` is that of a finer mesh. `along`: c_t, by a load along the tangent.
     """

@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 from petsc4py import PETSc
 
 DEGREE = 4
-"""Of the polynomials that are integrated exactly: products of displacements."""
+"""Degree of the polynomials that are integrated exactly: products of displacements."""
 
 
 class Elasticity:
     """Stiffness, mass and rigid motions of a mesh.
 
     Attributes:
-        space: Of the displacements.
+        space: Space of the displacements.
         stiffness, mass: Matrices K and M of PETSc.
         rigid: Six vectors of rigid motions, orthonormal in M.
         volume, centre, inertia: By integration; the inertia is about the centre of mass.

@@ -49,7 +49,7 @@ def load(
 ) -> tuple[Any, float]:
     """The mesh of a file, spread over the processes, and the length in m by which it was divided.
 
-    `unit` is that of the file's lengths, in m. Of a shape a mesh of these `sizes` is made, which is
+    `unit` is that of the file's lengths, in m. From a shape a mesh of these `sizes` is made, which is
     fine at `point`, in m. `thick` refuses meshes that are mostly one tetrahedron thick.
     """
     wrong: InvalidInput | None = None
@@ -178,7 +178,7 @@ MOST = 0.5
 def thin_share(corners: NDArray[np.int64], places: NDArray[Any]) -> float:
     """The share of the volume in tetrahedra whose four corners all lie on the surface.
 
-    It is 1 of a wall with one layer of them, and 0 with two. Meshes with one layer err alike, for
+    It is 1 of a wall with one layer of them, and 0 with two. Meshes with one layer have equal errors, for
     they do not differ through the thickness, however long their other edges are: what differs
     between both is no measure of their errors.
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 Vector = NDArray[np.float64]
 Modes = Mapping[str, Vector]
-"""Of one mesh: frequency in Hz, displacement and its curvature at the point, in rising order."""
+"""Modes of one mesh: frequency in Hz, displacement and its curvature at the point, in rising order."""
 
 CLOSE = 1e-3
 """Modes further apart than this share of their frequency are never taken as one."""
@@ -50,7 +50,7 @@ def combined(modes: Modes, clusters: list[slice]) -> dict[str, Vector]:
 
 
 def _two_directions(normal: Vector, tangential: Vector) -> list[Vector]:
-    """Of combinations perpendicular to each other, along the normal and along the tangent."""
+    """Displacements of combinations perpendicular to each other, along the normal and along the tangent."""
     swapped = np.linalg.norm(tangential) > np.linalg.norm(normal)
     greater, less = (tangential, normal) if swapped else (normal, tangential)
     first = _direction(greater)

@@ -16,7 +16,7 @@ PATCH = 4.0
 STEEP = 0.8
 """Least cosine between the normal of a facet of the patch and that at the point."""
 POWERS = [(i, k - i) for k in range(5) for i in range(k, -1, -1)]
-"""Of the polynomials x^i y^j that are fitted, up to the fourth degree."""
+"""Degree of the polynomials x^i y^j that are fitted, up to the fourth degree."""
 
 Vector = NDArray[np.float64]
 
@@ -28,7 +28,7 @@ class Surface:
         point, normal: As given, the normal as a unit vector.
         tangent: A unit vector perpendicular to it, if one was given, else None.
         edge (float): Mean length of the edges near the point.
-        facets: Of this process, in the patch and around it.
+        facets: Facets of this process, in the patch and around it.
         curvature: Principal curvatures of the surface at the point.
     """
 

@@ -45,13 +45,13 @@ def animate(
     It goes from just before contact until the body, or two, have flown for some time, vibrating.
     The file appears whole or not at all. `path` is returned. RuntimeError says that ffmpeg failed.
 
-    Of an oblique impact half of the frames are of the contact, in slow motion. The bodies are drawn
-    as rigid ones, with a sector that turns. Beside them is the contact, magnified: arrows are the
+    In an oblique impact half of the frames show the contact, in slow motion. The bodies are drawn
+    as rigid ones, with a sector that turns. The contact is beside them, magnified: arrows are the
     traction on the first body, with its friction over μ, so that they are inclined by 45 degrees
     where points slip; black points stick, orange ones slip along +y and blue ones along −y.
 
     Parameters:
-        impact (Impact or ObliqueImpact): Of a disk or a sphere.
+        impact (Impact or ObliqueImpact): The impact of a disk or a sphere.
         path: Where to; an existing file is replaced. Its suffix, .gif or .mp4, says what is
             written; the latter needs ffmpeg.
         frames: Number of frames, 2 to 2000.

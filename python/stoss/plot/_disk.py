@@ -96,14 +96,14 @@ def disk(
 ) -> Axes:
     """The deformed disk at what it meets: circles and radii that were even before the impact.
 
-    Deformations have their true size. Of two disks both are drawn. `sphere` is the same function:
+    Deformations have their true size. Two disks are both drawn. `sphere` is the same function:
     of a sphere it draws the plane through the axis.
 
     Parameters:
         field: From `Impact.field`, with any radii and angles: the nearest to even ones are drawn.
         circles, spokes: Number of circles and of radii.
         outline: Also the undeformed disk around the same centre of mass, in grey.
-        color (color, optional): Of the grid.
+        color (color, optional): Colour of the grid.
 
     Examples:
         >>> hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5)

@@ -107,7 +107,7 @@ def distribution(result: RestitutionDistribution, ax: Axes | None = None, *, bin
         axes.stairs(count, edges, fill=True, facecolor=_style.SKY, edgecolor=_style.BLUE, linewidth=0.6)
         for value, name, look in (
             (result.mean, "mean", {"color": _style.BLACK, "linestyle": "-"}),
-            (at_rest, "at rest", {"color": _style.VERMILION, "linestyle": "--"}),
+            (at_rest, "unexcited", {"color": _style.VERMILION, "linestyle": "--"}),
         ):
             axes.axvline(value, ymax=0.86, label=f"{name} {_style.written(value)}", **look)  # below the legend
         axes.set_ylim(0.0, 1.25 * max(1, count.max(initial=1)))

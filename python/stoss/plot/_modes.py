@@ -51,7 +51,7 @@ def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
 def mode_shape(modes: Modes, ax: Axes | None = None, *, order: int, index: int, amplitude: float = 0.15) -> Axes:
     """Shape of the mode (n, l): a deformed grid over the undeformed outline in grey.
 
-    Of a sphere it is the plane through the axis, which is horizontal.
+    For a sphere it is the plane through the axis, which is horizontal.
 
     Parameters:
         amplitude: Maximum displacement in the picture, R, −1 to 1.

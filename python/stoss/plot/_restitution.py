@@ -51,7 +51,7 @@ def restitution(
 
     Parameters:
         quantity ({'restitution', 'lost_fraction'}):
-        scale ({'log', 'linear'}): Of the speed, and of the lost fraction with it; ε has a linear
+        scale ({'log', 'linear'}): Scale of the speed, and of the lost fraction with it; ε has a linear
             axis.
         **style: Handed on to `matplotlib.axes.Axes.errorbar`: color, marker, linestyle, …
 

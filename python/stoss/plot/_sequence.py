@@ -31,7 +31,7 @@ def sequence(
 ) -> Axes:
     """The deformed disk or sphere at several times, in rows, each above the wall with its time below.
 
-    The wall, x = 0, or the surface of a half-space is below, and the body comes from above. Of two
+    The wall, x = 0, or the surface of a half-space is below, and the body comes from above. With two
     bodies the second is below, and the picture moves with their common centre of mass. Deformations
     and distances have their true size. The grey circles are the undeformed disks around the same
     centre of mass: what differs from them is deformation.

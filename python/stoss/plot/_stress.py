@@ -69,8 +69,8 @@ def stress(
 
     Parameters:
         ax: Where to draw; the colour bar takes some of its space.
-        quantity ({'von_mises', 'principal_difference', 'fringes'}): Von Mises stress; ``|σ₁ −
-            σ₂|``, of a sphere that in the plane; or what a polariscope shows in a dark field,
+        quantity ({'von_mises', 'principal_difference', 'fringes'}): Von Mises stress, ``|σ₁ −
+            σ₂|`` (of a sphere that in the plane), or what a polariscope shows in a dark field,
             sin²(π (σ₁ − σ₂)/fringe).
         fringe: σ₁ − σ₂ from one dark fringe to the next, E; default: a sixth of the default colour
             range of ``|σ₁ − σ₂|``. Fringes closer than the field's points cannot be seen: use finer

@@ -74,7 +74,7 @@ def energies(trajectory: Trajectory | ObliqueTrajectory, ax: Axes | None = None)
     *Translation* is that of the centre of mass, *vibration* that of the kept modes, *stored* what
     the wall's potential or the static modes above the cutoff hold, *dissipated* what a lossy
     material and *unresolved* what the modes above the cutoff have taken. The sum differs from 1 by
-    the numerical error. Of an oblique impact *across* is the motion along the surface, *rotation*
+    the numerical error. In an oblique impact *across* is the motion along the surface, *rotation*
     the spins, *elastic* all that went into the bodies, and *friction* the heat.
 
     Examples:
@@ -116,7 +116,7 @@ AROUND = 0.06  # of the time in contact, shown before and after it
 def grip(trajectory: ObliqueTrajectory, ax: Axes | None = None) -> Axes:
     """Where the contact sticks and slips: places along the surface against time.
 
-    Black sticks, orange slips along +y and blue along −y, what is white is open. Of spheres places
+    Black sticks, orange slips along +y and blue along −y, what is white is open. For spheres places
     are the radii of rings.
 
     Examples:

@@ -46,7 +46,7 @@ def over(function: Callable[..., NDArray[Any]], *fixed: Any, **given: Any) -> An
 
 
 def by_law(name: str, body: Any, poisson: Any, law: Any, **given: Any) -> Number:
-    """What the core's function of that name has of a law, a Poisson's ratio and what else is given, over arrays."""
+    """What the core's function of that name returns for a law, a Poisson's ratio and the other arguments, over arrays."""
     nu = poissons_of(body, poisson)
     function = getattr(_core, f"point_{name}" if isinstance(body, Sphere) else name)
     return over(function, choose_law(body, law), poisson=nu, **given)  # type: ignore[no-any-return]
@@ -147,13 +147,13 @@ class StaticContact(Result):
     """A disk or a sphere held against a hard wall, at rest.
 
     Attributes:
-        force, force_error: Of the contact, mc²/R: πRE of a disk, (4π/3)R²E of a sphere; and its
+        force, force_error: Force of the contact, mc²/R: πRE of a disk, (4π/3)R²E of a sphere; and its
             estimated error.
-        half_width: Of the contact, along the undeformed edge, R; of a sphere its radius.
+        half_width: Half the width of the contact along the undeformed edge, R; its radius for a sphere.
         energy: Stored in the body, mc²; its derivative by δ is F.
         contact_nodes: Nodes with a pressure, the first ones. Those of a sphere are rings.
-        spacing: Of the nodes, R.
-        position: Of the nodes along the undeformed edge or meridian, from the middle of the
+        spacing: Distance of the nodes, R.
+        position: Places of the nodes along the undeformed edge or meridian, from the middle of the
             contact, R.
         pressure: At the nodes, in the direction of x, per length of the undeformed edge or area of
             the undeformed surface, E. The sum of 2·spacing·pressure is πF; of a sphere the sum of

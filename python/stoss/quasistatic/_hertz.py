@@ -61,7 +61,7 @@ def _sphere(body: Any) -> Sphere | None:
 def hertz_pressure(body: Disk | Sphere | None = None, *, force: ArrayLike, y: ArrayLike) -> Number:
     """Pressure of Hertz' contact with a wall, E; 0 outside it.
 
-    Of a disk it is ½√(a² − y²) with the half-width a = 2√F, the same for all of them (Gerl &
+    For a disk it is ½√(a² − y²) with the half-width a = 2√F, the same for all of them (Gerl &
     Zippelius, section V); of a sphere p₀√(1 − y²/a²) on a circle.
 
     Parameters:

@@ -19,8 +19,8 @@ class MawImpact(NamedTuple):
     Attributes:
         psi2: ψ₂ = κs′/(μv), below 0 where the contact point returns: ε_t = −ψ₂/ψ₁.
         psi2_error: Of ψ₂.
-        impulse: Of friction, over μ times that of the normal force.
-        impulse_error: Of the impulse.
+        impulse: Impulse of friction over μ times the normal impulse.
+        impulse_error: Error of the impulse.
         friction_loss: Energy that becomes heat, in ½mv²μ²/κ.
         sliding: Share of the contact time in which the whole contact slides as before.
         sticking: In which nothing slips.
@@ -50,7 +50,7 @@ def maw(*, psi1: ArrayLike, chi: ArrayLike, tolerance: float = 1e-4) -> MawImpac
     Parameters:
         psi1 (array_like): ψ₁ before, −10⁶ to 10⁶.
         chi (array_like): χ, above 0 to 1000; broadcasts with `psi1`.
-        tolerance (float, optional): Of the errors, 10⁻⁸ to 0.1.
+        tolerance (float, optional): Largest error, 10⁻⁸ to 0.1.
 
     Examples:
         >>> chi = 1.75 * stoss.quasistatic.mindlin_ratio(poisson=0.3)
@@ -63,7 +63,7 @@ def maw(*, psi1: ArrayLike, chi: ArrayLike, tolerance: float = 1e-4) -> MawImpac
 def mindlin_ratio(*, poisson: ArrayLike) -> Number:
     """κ = 2(1 − ν)/(2 − ν), tangential over normal stiffness of a contact, at ν = −0.95 to 0.4999.
 
-    Of one material, or with a rigid body. Of two materials 1/κ is the mean of theirs, weighted with
+    κ is for one material, or with a rigid body. For two materials 1/κ is the mean of both, weighted with
     (1 − ν²)/E.
 
     Parameters:

@@ -25,7 +25,7 @@ class OfSlowImpacts(MayYield):
     """What slow impacts and their estimates have in common.
 
     Attributes:
-        speed: Of the centre of mass towards the wall, c.
+        speed: Speed of the centre of mass towards the wall, c.
         body (Disk, Sphere or None): What it was made with, if it was one.
         max_radius: Maximum radius of the contact of a sphere, R; None of disks.
     """
@@ -75,7 +75,7 @@ def slow_impact(
     A `StossWarning` says that a sphere of that material yields at such a speed.
 
     Parameters:
-        speed: Of the centre of mass towards the wall, 1e-100 (of a sphere 1e-12) to `limit_speed`,
+        speed: Speed of the centre of mass towards the wall, 1e-100 (sphere: 1e-12) to `limit_speed`,
             c (with a material: m/s). Two equal bodies that each move at `speed` towards each other
             are the same problem.
 
@@ -152,12 +152,12 @@ def rayleigh(
 
     The force F(t) of a `slow_impact` drives every mode at the point of contact, Q̈ + ω²Q = −C F/m,
     which leaves it the share C² (∫F cos ωt dt / v)² of the energy. The stiffness of a sphere's
-    contact turns the phases of its modes besides. For a value that is as exact as you ask use
+    contact also turns the phases of its modes. For a value that is as exact as you ask use
     `stoss.restitution`. A `StossWarning` tells of values beyond perturbation theory, of a disk at
     ν = 0.33 from v = 0.024 c on, of a sphere at ν = 0.3 from 0.039 c on, and of yielding.
 
     Parameters:
-        speed: Of the centre of mass towards the wall, 1e-100 (of a sphere 1e-12) to `limit_speed`,
+        speed: Speed of the centre of mass towards the wall, 1e-100 (sphere: 1e-12) to `limit_speed`,
             c (with a material: m/s). Two equal bodies that each move at `speed` towards each other
             are the same problem.
         cutoff: Highest frequency of the modes, up to 1000, c/R.

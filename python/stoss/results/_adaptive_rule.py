@@ -34,7 +34,7 @@ def collision_rule(
 ) -> CollisionRule:
     """Compute the whole collision rule with friction as a function, with errors that hold everywhere.
 
-    Of spheres and of equal disks it takes any friction. Of other disks motion along the surface
+    For spheres and for equal disks it takes any friction. For other disks motion along the surface
     changes the restitution too, and the rule is for one friction.
 
     Parameters:
@@ -46,8 +46,8 @@ def collision_rule(
         error: Maximum error of ε_n, interpolation included, 1e-6 to 0.1.
         tolerance: Maximum error of s′ over |v_t| + |Ω₁|R₁ + |Ω₂|R₂ + μv_n, 1e-4 to 0.5. It bounds
             the speed: in larger contacts velocity and spin differ in their effect.
-        beyond ({'error', 'clamp'}, optional): What the function does beyond the range: refuse, or
-            give the value at the nearest edge, with an infinite error.
+        beyond ({'error', 'clamp'}, optional): Beyond the range, refuse, or give the value at
+            the nearest edge, with an infinite error.
 
     Examples:
         >>> ball = stoss.Sphere(poisson=0.3)

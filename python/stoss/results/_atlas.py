@@ -77,7 +77,7 @@ def atlas(
 
     Parameters:
         body (Sphere or Disk): The first body.
-        speed: Of approach, c (with a material: m/s).
+        speed: Speed of approach, c (with a material: m/s).
 
     Examples:
         >>> value = stoss.atlas(stoss.Sphere(poisson=0.3), speed=0.1)

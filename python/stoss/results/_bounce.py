@@ -88,7 +88,7 @@ def bounce(
     good. A sequence whose speed leaves 1e-8 to 1 c has not converged.
 
     Parameters:
-        speed: Of the first impact, 1e-8 to 1, c (with a material: m/s).
+        speed: Speed of the first impact, 1e-8 to 1, c (with a material: m/s).
         against (HardWall, ExponentialWall, HalfSpace or HalfPlane, optional): What the body meets.
             Default: a rigid wall. The waves of a half-space have left before the next impact.
             Another body, which does not come back, is refused.
@@ -96,7 +96,7 @@ def bounce(
         flight_time: From leaving the wall to touching it again, of an unexcited body, R/c (with a
             material: s).
         gravity: In place of `flight_time`: g, c²/R (with a material: m/s²); a flight lasts 2v/g.
-        decay_time: Of vibrational energies in flight, R/c (with a material: s); 0: they are gone at
+        decay_time: Time in which vibrational energies fall in flight, R/c (with a material: s); 0: they are gone at
             once, and every impact is that of `impact`. Default: no decay but that of a lossy
             material.
         cutoff: Highest frequency of the modes that are kept, c/R. Default: 20, or that up to which

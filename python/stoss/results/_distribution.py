@@ -40,7 +40,7 @@ class RestitutionDistribution(SampleQuantities, InSi, RowResult):
             of the second), order, index and energy, which is the mean, as a share of the
             translational one.
         error: Of 1 − ε², asked for.
-        mean, mean_error, numerical_error: ⟨ε⟩; its statistical error, infinite for one sample; its
+        mean, mean_error, numerical_error: ⟨ε⟩, its statistical error (infinite for one sample) and its
             numerical one, the mean of `restitution_error`.
         spread: Standard deviation of ε, infinite for one sample.
         above_one: Share of the samples with ε > 1.

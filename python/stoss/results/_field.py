@@ -53,9 +53,9 @@ class Field(OfAnImpact):
     Attributes:
         of: Inside which body: 0 the first, 1 the second. Units are those of the first.
         size: Radius of the body, R.
-        time, center, force, contact_half_width: Of each instant: R/c; x of the body's centre in R;
-            F in mc²/R (of disks πRE); R.
-        radius, angle: Of the points in the undeformed body: in its own radius; radians, 0 towards
+        time, center, force, contact_half_width: At each instant: time in R/c, x of the body's
+            centre in R, F in mc²/R (of disks πRE), and half the width of the contact in R.
+        radius, angle: Places of the points in the undeformed body: in its own radius; radians, 0 towards
             the contact.
         x, y: Where the points are now, R. The wall is at x = 0 and the body at x < 0. Of two bodies
             the first is at x < 0: they first touch at x = 0, and their common centre of mass is at
@@ -165,9 +165,9 @@ class Wave(OfAnImpact):
     through the axis of the impact; the other side is its mirror image.
 
     Attributes:
-        time, center, force: Of each instant: R/c; x of the first body's centre in R, where the
-            undeformed surface is at x = 0 and the body at x < 0; F in mc²/R (of disks πRE).
-        depth, distance: Of the points: below the surface, and from the axis, R.
+        time, center, force: At each instant: time in R/c, x of the first body's centre in R, where the
+            undeformed surface is at x = 0 and the body at x < 0, and F in mc²/R (of disks πRE).
+        depth, distance: Places of the points: below the surface, and from the axis, R.
         lateral, normal: Displacement away from the axis, and into the half-space, R.
         lateral_velocity, normal_velocity: Their rates of change, c.
         pressure_speed, shear_speed, rayleigh_speed: c_p, c_s and c_R of its material, of the first

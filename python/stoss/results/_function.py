@@ -36,7 +36,7 @@ class RestitutionFunction(Evaluated):
     values.
 
     Attributes:
-        speed: Of the computed values, rising, c.
+        speed: Speeds of the computed values, rising, c.
         interpolation_error: Error of the interpolation from each computed value to the next; one
             element less.
 
@@ -96,7 +96,7 @@ class RestitutionFunction(Evaluated):
 
     @property
     def greatest_error(self) -> float:
-        """Of ε at any speed of the range."""
+        """Error of ε at any speed of the range."""
         return self._core.greatest_error()
 
     @documented
@@ -187,9 +187,9 @@ def restitution_function(
     Parameters:
         speed (tuple of two float): Slowest and fastest speed of approach, 1e-8 to 1, c (with a
             material: m/s).
-        beyond ({'error', 'clamp', 'law'}, optional): What the function does beyond the range:
-            refuse; give the value at the nearer end, with an infinite error; below it, follow the
-            law of slow impacts with its error, and refuse above. There is a law for disks and
+        beyond ({'error', 'clamp', 'law'}, optional): Beyond the range, refuse, or
+            give the value at the nearer end with an infinite error, or follow the law of slow
+            impacts with its error below the range, and refuse above. There is a law for disks and
             spheres at a wall or in equal pairs, and for elastic spheres on elastic half-spaces.
 
     Examples:
@@ -221,7 +221,7 @@ def restitution_function(
 
 
 def function_of(*given: Any) -> RestitutionFunction:
-    """A function of these fields, of which the core has checked the knots and found the error between them."""
+    """A function of these fields. The core has checked its knots and found the error between them."""
     made = RestitutionFunction(*given)
     for each in (made.speed, made.restitution, made.restitution_error):
         each.flags.writeable = False

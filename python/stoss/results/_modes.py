@@ -23,7 +23,7 @@ from stoss.results._result import RowResult, columns, picture
 class Modes(ModeQuantities, RowResult):
     """The modes of a free disk or sphere up to a cutoff, by order, then by frequency.
 
-    Of a disk they are the symmetric ones in its plane, u = (u_r(r) cos nφ, u_φ(r) sin nφ) inside;
+    For a disk they are the symmetric ones in its plane, u = (u_r(r) cos nφ, u_φ(r) sin nφ) inside;
     of a sphere the axisymmetric spheroidal ones, u = (u_r(r) P_n(cos θ), u_θ(r) dP_n(cos θ)/dθ).
     Every mode is normalised to the mass of the body. All arrays have one element for each mode;
     ``len()`` is their number,
@@ -76,7 +76,7 @@ class Modes(ModeQuantities, RowResult):
             radius: Radii r, 0 to 1, R.
 
         Returns:
-            u_r, u_phi : ndarray: Of the shape of `radius`, to be multiplied by cos nφ and sin nφ;
+            u_r, u_phi : ndarray: Arrays of the shape of `radius`, to be multiplied by cos nφ and sin nφ;
                 of a sphere u_r and u_θ, by P_n(cos θ) and dP_n(cos θ)/dθ.
 
         Examples:

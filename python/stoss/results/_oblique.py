@@ -106,7 +106,7 @@ def oblique(
     """Compute oblique impacts with friction: ε_n, ε_t, and motion and spins afterwards.
 
     Friction acts node by node, −μp ≤ q ≤ μp: a node sticks, or slips against q = ±μp. Bodies
-    turn, but what is elastic in them keeps its directions (linear kinematics). Of spheres pressure
+    turn, but what is elastic in them keeps its directions (linear kinematics). For spheres pressure
     and friction are taken not to change each other, which is exact for equal ones; one normal impact
     then serves all angles, spins and frictions at its speed, each in a millisecond or so. A value of
     a disk takes 0.1 s. All numbers of the motion broadcast.

@@ -31,17 +31,17 @@ class ObliqueTrajectory(ObliqueSnapshotQuantities, RowResult, InSi):
 
     All arrays have one element for each row, those of the contact points one row for each; an index
     gives one row, a slice the rows. x points along the normal, from the first body to what it meets,
-    and y along the surface. Of disks there are points on both sides of the axis, of spheres rings
+    and y along the surface. Disks have points on both sides of the axis, spheres rings
     that move in one direction.
 
     Attributes:
         center: Position x₀ of the centre of mass along x, R; the wall is at 0 and the body at
-            x < 0. Of two bodies, that of the first seen from the second.
+            x < 0. With two bodies it is the state of the first, seen from the second.
         friction_loss: Share that became heat of friction, and what points hold that land.
-        x, y, second_x, second_y: Of each centre, R, seen by who moves with the centre of mass of
+        x, y, second_x, second_y: Each centre, R, seen by who moves with the centre of mass of
             both, at a wall or a half-space with that: None where there is no second body. At rest
             the bodies would first touch at x = 0.
-        place: Of the points along the surface from the axis, R; of spheres the radii of the rings.
+        place: Points along the surface from the axis, R; of spheres the radii of the rings.
         measure: What each point stands for: length of edge, R; of spheres area of the ring, R².
         point_pressure, point_friction: Share of each point in F and in Q, rows × points.
         slip: Velocity at which the first surface moves along y over the second at each point, c,

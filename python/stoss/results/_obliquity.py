@@ -87,7 +87,7 @@ def choose_motion(body: Body, kept: int, **given: Any) -> tuple[NDArray[np.float
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class ObliqueLedger(ObliqueLedgerQuantities, ArrayResult):
-    """Where the energy is after oblique impacts, as shares of what there was before.
+    """Where the energy is after oblique impacts, as shares of the energy before.
 
     That is of all motion relative to the common centre of mass, of the spins and of the vibration.
     Numbers, or arrays of the shape of the impacts.

@@ -33,7 +33,7 @@ class PairTable(Evaluated):
     Attributes:
         body, against: The two; their radii do not count.
         alike: Whether they are of one material: a ratio and its inverse are then the same pair.
-        speed, ratio: Of the computed values, rising; speeds in c.
+        speed, ratio: Places of the computed values, rising; speeds in c.
         interpolation_error: Error of the interpolation between them; one element less each way.
 
     Examples:
@@ -76,7 +76,7 @@ class PairTable(Evaluated):
 
     @property
     def greatest_error(self) -> float:
-        """Of ε anywhere in the range."""
+        """Error of ε anywhere in the range."""
         return self._core.greatest_error()
 
     @functools.cached_property
@@ -132,7 +132,7 @@ def pair_table(
         against ('same', Disk or Sphere, optional): The second. Default: of the same material; a
             ratio and its inverse are then the same.
         error: Maximum error of ε, interpolation included, 1e-6 to 0.1.
-        beyond ({'error', 'clamp'}, optional): What the table does beyond the range: refuse, or give
+        beyond ({'error', 'clamp'}, optional): Beyond the range, refuse, or give
             the value at the nearest edge, with an infinite error.
 
     Examples:

@@ -39,7 +39,7 @@ class Influence:
     Attributes:
         constant (str): As "young" of the ball, "against young" of what it meets.
         uncertainty (float): u: the constant is known within a factor of 1 + u.
-        change (float): Of ε, where the constant is larger by this factor.
+        change (float): Change of ε where the constant is larger by this factor.
     """
 
     constant: str
@@ -54,19 +54,19 @@ class Prediction(PredictionQuantities, ArrayResult):
     Numbers if the speed was one, otherwise arrays of its shape: then ``len()`` is the length of the
     first axis, and indices select as in numpy. Ringing, radiation and material follow from
     elasticity, with a numerical error. Yielding and adhesion are models, which differ. What is not
-    known of the constants is the third uncertainty: the three stand side by side, and none holds
+    known of the constants is the third uncertainty. The three stand side by side, and none contains
     another.
 
     Attributes:
         body (Sphere): The ball.
         against: What it meets.
-        by_constants: What uncertain constants do to ε: root of the sum of the squares of all changes
+        by_constants: Uncertainty of ε from the constants: root of the sum of the squares of all changes
             in `influences`; 0 where none is uncertain.
         yielding, adhesion: Channels that are models, as shares of it. In files the first is `yield`.
         dominant (str or ndarray): Which channel is the largest; 'yield' is that of `yielding`.
         influences (tuple of Influence or ndarray): What each uncertain constant changes, the largest
             change first.
-        warnings (tuple of str or ndarray): What ends within the range of what was computed, with the
+        warnings (tuple of str or ndarray): Limits of models within the computed range, with the
             speeds.
         yield_speed (float or None): The ball, or the weaker of two, begins to yield above it, m/s.
         impression_speed (float or None): The impression is no longer small beside the radius above
@@ -168,14 +168,14 @@ def predict(
         body: The ball: with a material.
         against: What it meets, with a material: a rigid wall (default), an identical ball ('same'),
             another one, a half-space or a plate.
-        speed: Of approach, m/s, 1e-8 to 1 c of the ball.
+        speed: Speed of approach, m/s, 1e-8 to 1 c of the ball.
         height: In its place, that from which the ball falls without air, m.
         adhesion: Work of adhesion of both surfaces, J/m², 0 to 1e6; default: 2√(γ₁γ₂) of the
             `surface_energy` of both materials, 0 where one has none.
-        uncertainties (mapping of str to float, optional): Of constants, as ``{"young": 0.05,
+        uncertainties (mapping of str to float, optional): Constants by name, as ``{"young": 0.05,
             "against loss_time": 2}``: each is known within a factor of 1 + u, u from 0 to 10.
             Default: those of `stoss.materials`.
-        tolerance: Of the computed channels: relative error of 1 − ε², 1e-15 to 0.5.
+        tolerance: For the computed channels, relative error of 1 − ε², 1e-15 to 0.5.
 
     Examples:
         >>> ball = stoss.Sphere(radius=5e-3, material=stoss.materials["bearing steel"])

@@ -127,7 +127,7 @@ def surface(impact: ComputedImpact, time: Any, reach: float) -> Surface:
 
 
 def require_replay(impact: ComputedImpact, name: str, times: int, each: float, once: float, got: str) -> None:
-    """Refuse what is too large: numbers for each time, besides its motion, and numbers once."""
+    """Refuse what is too large: numbers for each time in addition to its motion, and numbers once."""
     size = 8.0 * (times * (each + 2.0 * impact.modes + impact.nodes) + once)
     require_memory(name, f"{times} times{got}", size, "give fewer times or points")
 

@@ -42,8 +42,8 @@ class Restitution(RestitutionQuantities, ArrayResult, MayYield):
             What it meets; 'same'
             for several Poisson's ratios, each meeting an identical disk.
         lost_to_first, lost_to_second: Vibration of each body after the impact and what its material
-            absorbed, as shares of the initial energy; of a half-space what its waves carry away; 0
-            of a wall. Of bodies that were unexcited, their sum is `lost_fraction`.
+            absorbed, as shares of the initial energy. For a half-space it is the energy of its
+            waves, for a wall 0. Their sum is `lost_fraction` if the bodies were unexcited.
     """
 
     plot = picture("ε against v with error bars. See `stoss.plot.restitution`.")

@@ -129,7 +129,7 @@ def rod_chain(
     Parameters:
         rods (sequence of Rod): From 2, in their order on the ring, unexcited; at first the gaps are
             equal.
-        circumference (float): Of the ring, above the sum of the lengths. A collision is
+        circumference (float): Length of the ring, above the sum of the lengths. A collision is
             instantaneous compared with the flights: what rods move while they touch is neglected
             against the gaps.
         velocities (array_like, optional): One for each rod.

@@ -41,7 +41,7 @@ class CollisionRule(Evaluated):
         alike: Whether a ratio of radii and its inverse are the same pair.
         speed, slip, ratio: Places of the computed q: v_n in c, z, and r.
         sliding, sliding_error: q there, speeds down, and its error.
-        sliding_interpolation_error: Of the interpolation between them.
+        sliding_interpolation_error: Error of the interpolation between them.
         restitution_speed, restitution_slip, restitution_ratio, restitution, restitution_error,
         restitution_interpolation_error: The same of ε_n, on places of its own.
 
@@ -117,7 +117,7 @@ class CollisionRule(Evaluated):
             spin, second_spin: c/R of the first, with a material rad/s.
             normal: From the first to the second, of any length but 0.
             friction: May be left out where it is known.
-            radius, second_radius: Of a mixture, in R of the first, with a material in m.
+            radius, second_radius: Radii in a mixture, in R of the first, with a material in m.
         """
         rubbing = self._friction(friction)
         radii = None if radius is None else self._radii(radius, second_radius)
@@ -136,7 +136,7 @@ class CollisionRule(Evaluated):
 
     @property
     def greatest_error(self) -> tuple[float, float]:
-        """Of ε_n, and of s′ over |v_t| + |Ω₁|R₁ + |Ω₂|R₂ + μv_n, anywhere in the range."""
+        """Errors of ε_n, and of s′ over |v_t| + |Ω₁|R₁ + |Ω₂|R₂ + μv_n, anywhere in the range."""
         return self._core.errors()
 
     @property

@@ -19,7 +19,7 @@ from stoss.export._files import whole_file
 from stoss.results._computed_impact import ComputedImpact
 
 QUALITY = 1000.0
-"""Of modes of a material without a loss time."""
+"""Quality of modes of a material without a loss time."""
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -27,8 +27,8 @@ class Sound:
     """How the struck point of a body moves after an impact, as samples that can be played.
 
     Attributes:
-        impact (Impact): Of which it is the end.
-        of (int): Of which body: 0 the first, 1 the second.
+        impact (Impact): The impact that it follows.
+        of (int): The body that is heard: 0 the first, 1 the second.
         samples (ndarray): Velocity of the point towards what it has met, m/s, from the end of the
             impact on.
         rate (int): Samples in a second.
@@ -53,7 +53,7 @@ class Sound:
 
     @property
     def time(self) -> NDArray[np.float64]:
-        """Of each sample, s after the impact."""
+        """Time of each sample, s after the impact."""
         return np.arange(self.samples.size) / (self.rate * self.slower)
 
     @documented
@@ -81,7 +81,7 @@ def sound(
 
     Each mode rings on as the impact leaves it, with u_k e^(−γt) [P/m cos ωt − ωQ sin ωt], where u_k
     is its displacement at the point, and γ = ½ηω² of a material with a loss time η, else ω/(2·quality).
-    What the air makes of it, which radiates some modes better than others, is left out.
+    The radiation into the air, which is better for some modes than for others, is left out.
 
     Parameters:
         duration: How long it is played, s, to 600.

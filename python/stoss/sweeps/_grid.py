@@ -45,7 +45,7 @@ class Grid:
         against (like bodies, optional): What they meet: 'wall', 'same', a HardWall, a body, a HalfSpace
             or HalfPlane, a mapping, or a sequence of them. A mapping that names no Poisson's ratio takes
             that of the first body.
-        speed (array_like): Of approach, c of the first body (with materials: m/s).
+        speed (array_like): Speed of approach, c of the first body (with materials: m/s).
         tolerance, absolute (float, optional): As of `stoss.restitution`, or of `stoss.oblique`.
         friction, angle, tangential, spin, second_spin (array_like, optional): As of `stoss.oblique`.
         temperature (array_like, optional): As of `stoss.restitution_distribution`.
@@ -128,7 +128,7 @@ class Grid:
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Numbers of bodies, partners and speeds, and of what else varies."""
+        """Numbers of bodies, partners and speeds, and of the other axes."""
         return len(self.bodies), len(self.against), *(each.size for each in self.axes.values())
 
     @property

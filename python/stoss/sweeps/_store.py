@@ -2,7 +2,7 @@
 
 A CSV file begins with the version of stoss and the names of the columns. Before its first row of a case
 comes a comment with the key of the case, a hash of all inputs but the point, and these inputs; each
-row begins with this key and the point, the speed and what else varies, and ends with a checksum. A row
+row begins with this key and the point, the speed and the other axes, and ends with a checksum. A row
 is appended by one write, so that a worker that is killed leaves whole lines and at most one incomplete
 last one, which does not count. Files are never rewritten: only the incomplete line is cut off before its
 worker appends again.

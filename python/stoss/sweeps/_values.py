@@ -30,18 +30,18 @@ DIMENSIONS = {"speed": "speed", "tangential": "speed", "spin": "frequency", "sec
 
 @dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class Sweep(Result):
-    """The values of a sweep, in arrays over bodies, partners, speeds, and what else varies.
+    """The values of a sweep, in arrays over bodies, partners, speeds and all other axes.
 
-    Besides the attributes below it has all quantities of a `Restitution` by the same names, in
+    In addition to the attributes below it has all quantities of a `Restitution` by the same names, in
     units of the first body: `restitution`, `restitution_error`, `lost_fraction`, `contact_time`, …;
     with friction those of an `ObliqueRestitution`, and of ensembles those of the samples of a
     `RestitutionDistribution`.
-    What is not computed yet is NaN, 0 or False there. Tables, as of `to_csv` and `to_dataframe`, have
+    A value that is not computed yet is NaN, 0 or False there. Tables, as of `to_csv` and `to_dataframe`, have
     a row for each value, with the names of the body and of what it meets; data sets of xarray have
     the dimensions body, against, speed and so on, as the file of `to_netcdf`.
 
     Attributes:
-        grid (Grid): What was asked for.
+        grid (Grid): Values that were asked for.
         computed: Which values are there.
         versions (tuple of str): Versions of stoss that computed them.
     """
@@ -91,7 +91,7 @@ class Sweep(Result):
     def to_netcdf(self, path: str | os.PathLike[str]) -> None:
         """Write all values to a NetCDF-4 file with units and provenance, which xarray opens.
 
-        Dimensions are body, against, speed, and what else varies. What is missing has fill values. The file appears
+        Dimensions are body, against, speed and all other axes. Missing values are fill values. The file appears
         whole or not at all. Needs the package netCDF4.
         """
         from stoss.export._netcdf import write
