@@ -38,6 +38,10 @@ def draw(table):
         axes.set_title("ν = 0.3 of ball and half-space", fontsize=8)
     left.set(yscale="log", ylim=(5e-8, 1.0), ylabel="1 − ε²")
     right.set(ylim=(0.5, 1.2), ylabel="$(1 − ε^2)\\;/\\;k\\,(v/c)^{3/5}$")
+    for kind, place, name in (("elastic", 1e-4, "block"), ("at_wall", 1e-4, "wall")):
+        speed, lost = columns(table, kind, "speed[c]", "lost_fraction")
+        near = min(range(len(speed)), key=lambda k: abs(speed[k] - place))
+        left.annotate(name, (speed[near], lost[near]), (0, 14), textcoords="offset points", ha="right", fontsize=7)
     left.legend(frameon=False, fontsize=7, loc="lower right")
     right.legend(frameon=False, fontsize=7, loc="lower left")
     return figure
