@@ -9,10 +9,13 @@ import os
 import signal
 
 # A library leaves the signals of a program alone. PETSc makes a crash of them; Gmsh takes Ctrl-C
-# away from Python as it is loaded, and cannot be loaded by another thread than the main one.
+# away from Python as it is loaded, so that it waits till then, and cannot be loaded by another
+# thread than the main one.
 os.environ.setdefault("PETSC_OPTIONS", "-no_signal_handler")
 _before = signal.getsignal(signal.SIGINT)
+_blocked = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
 with contextlib.suppress(ImportError, ValueError):
     import gmsh as gmsh
 if signal.getsignal(signal.SIGINT) is not _before and _before is not None:
     signal.signal(signal.SIGINT, _before)
+signal.pthread_sigmask(signal.SIG_SETMASK, _blocked)

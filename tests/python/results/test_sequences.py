@@ -84,10 +84,10 @@ def test_what_is_not_as_accurate_is_marked():
 
 def test_picture_of_an_ensemble(ensemble, closed):
     ax = ensemble.plot()
-    mean, at_rest = (line.get_xdata()[0] for line in ax.lines)
+    mean, unexcited = (line.get_xdata()[0] for line in ax.lines)
     assert mean == ensemble.mean
-    assert at_rest == pytest.approx(stoss.restitution(BALL, speed=0.01).restitution, abs=1e-3)
-    assert [text.get_text()[:4] for text in ax.get_legend().get_texts()] == ["mean", "at r"]
+    assert unexcited == pytest.approx(stoss.restitution(BALL, speed=0.01).restitution, abs=1e-3)
+    assert [text.get_text()[:4] for text in ax.get_legend().get_texts()] == ["mean", "unex"]
     count, edges = ensemble.histogram(bins=6)
     assert count.sum() == 40 and (edges[0], edges[-1]) == (ensemble.restitution.min(), ensemble.restitution.max())
     assert ensemble.above_one == np.mean(ensemble.restitution > 1) > 0
