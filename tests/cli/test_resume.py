@@ -7,7 +7,7 @@ import subprocess
 import time
 
 import pytest
-from conftest import SMALL, resume, rows, wait_for_rows
+from conftest import SMALL, resume, rows, wait_for_rows, wait_until_caught
 
 pytestmark = pytest.mark.numbers
 
@@ -66,6 +66,7 @@ def test_interrupted_again_and_again(stoss, tmp_path, whole):
     path = tmp_path / "curve.csv"
     for count in (5, 30, 61, 90):
         command = stoss.start(f"{JOB} --threads 1 --resume {path}", stderr=subprocess.DEVNULL)
+        wait_until_caught(command, signal.SIGINT)  # as many rows may be there from the run before
         wait_for_rows(command, path, count)
         command.send_signal(signal.SIGINT)
         assert command.wait(timeout=60) == 130
