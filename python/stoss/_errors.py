@@ -34,17 +34,17 @@ class InvalidInput(ValueError):
 
     @classmethod
     def out_of_range(cls, name: object, got: object, allowed: object, hint: object = "") -> InvalidInput:
-        """The template of a value out of its range."""
+        """A value out of its range: ``name: got …, allowed … (hint)``."""
         return cls("out_of_range", name, got, allowed, hint)
 
     @classmethod
     def missing(cls, name: object, needed: object = "", hint: object = "") -> InvalidInput:
-        """The template of a missing input."""
+        """A missing input: ``name: missing, what is needed (hint)``."""
         return cls("missing", name, "", needed, hint)
 
     @classmethod
     def conflict(cls, name: object, reason: object, hint: object = "") -> InvalidInput:
-        """name: why it does not go with the rest (hint)"""
+        """An input at odds with others: ``name: why it does not go with the rest (hint)``."""
         return cls("conflict", name, "", reason, hint)
 
     def renamed(self, name: str, more: str = "") -> InvalidInput:

@@ -85,7 +85,7 @@ std::vector<Input> rows() {
           "Time between leaving the wall and touching it (this or --gravity)", {{bounce}}),
       row("gravity", Dimension::acceleration, ranges::gravity, "Acceleration g: a flight lasts 2v/g", {{bounce}}),
       row("decay_time", Dimension::time, ranges::decay_time,
-          "Time TAU in which vibrational energies fall in flight as exp(-t/TAU); 0 is at once, none no decay",
+          "Time TAU in which vibrational energies fall in flight as exp(-t/TAU): 0 for at once, no decay without it",
           {{bounce}}),
       row("cutoff", none, above_zero,
           "Highest frequency of the kept modes, in c/R (default: 50, or up to which those of a file are known; less on "

@@ -12,6 +12,7 @@ BALL = "--body sphere --poisson 0.3 --speed 0.01 --against"
 SOFT = "young=1e-3,density=1e3"
 
 
+@pytest.mark.usefixtures("usual_build")
 @pytest.mark.parametrize(
     "words",
     [
@@ -29,8 +30,7 @@ SOFT = "young=1e-3,density=1e3"
         "--body sphere --poisson -0.191 --speed 0.175 --against plate,thickness=0.0668,young=24.9,density=2.47",
     ],
 )
-def test_one_impact_is_that_of_the_restitution(usual_build, words):
-    stoss = usual_build
+def test_one_impact_is_that_of_the_restitution(stoss, words):
     one, used = bounded(stoss, f"impact {words} --format csv", 5)
     assert one.returncode == 0, one.stderr
     assert used < 5

@@ -79,7 +79,7 @@ struct Contact {
 /// fast an impact is. At a wall it is `speed`, for two equal bodies half of it.
 [[nodiscard]] double own_speed(const Contact& contact, double speed);
 
-/// Compression of the more compressed body in its own radius, whose sum is the approach δ (in R of the first).
+/// Compression of the more compressed body in its own radius; the approach δ (in R of the first) is the sum of both.
 [[nodiscard]] double own_compression(const Contact& contact, double approach);
 
 /// Longest R/c of the bodies, or of the part that is there, in that of the first; with a half-space, time_scale.

@@ -14,8 +14,10 @@ import signal
 os.environ.setdefault("PETSC_OPTIONS", "-no_signal_handler")
 _before = signal.getsignal(signal.SIGINT)
 _blocked = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
-with contextlib.suppress(ImportError, ValueError):
-    import gmsh as gmsh
-if signal.getsignal(signal.SIGINT) is not _before and _before is not None:
-    signal.signal(signal.SIGINT, _before)
-signal.pthread_sigmask(signal.SIG_SETMASK, _blocked)
+try:
+    with contextlib.suppress(ImportError, ValueError):
+        import gmsh as gmsh
+    if signal.getsignal(signal.SIGINT) is not _before and _before is not None:
+        signal.signal(signal.SIGINT, _before)
+finally:
+    signal.pthread_sigmask(signal.SIG_SETMASK, _blocked)

@@ -36,12 +36,12 @@ class ObliqueTrajectory(ObliqueSnapshotQuantities, RowResult, InSi):
 
     Attributes:
         center: Position x₀ of the centre of mass along x, R; the wall is at 0 and the body at
-            x < 0. With two bodies it is the state of the first, seen from the second.
+            x < 0. With two bodies it is that of the first, seen from the second.
         friction_loss: Share that became heat of friction, and what points hold that land.
-        x, y, second_x, second_y: Each centre, R, seen by who moves with the centre of mass of
+        x, y, second_x, second_y: Places of the centres, R, seen by who moves with the centre of mass of
             both, at a wall or a half-space with that: None where there is no second body. At rest
             the bodies would first touch at x = 0.
-        place: Points along the surface from the axis, R; of spheres the radii of the rings.
+        place: Places of the points along the surface from the axis, R; of spheres the radii of the rings.
         measure: What each point stands for: length of edge, R; of spheres area of the ring, R².
         point_pressure, point_friction: Share of each point in F and in Q, rows × points.
         slip: Velocity at which the first surface moves along y over the second at each point, c,

@@ -20,7 +20,7 @@ inline constexpr double max_cutoff = 1000.0;
 /// Inside the sphere u = (u_r(r) P_n(cos θ), u_θ(r) dP_n(cos θ)/dθ), normalised to
 /// ∫ r² (u_r² + n(n+1) u_θ²) dr = (2n+1)/3, so that its modal mass is the mass of the sphere, 4π/3. The amplitudes at
 /// the surface are `radial` U, with an error of at most 1e-10 max(|U|, √L |V|), L = n(n+1), and `tangential` V;
-/// √L V is as good. Torsional vibrations do not couple to a frictionless central impact and are left out
+/// √L V has the same error. Torsional vibrations do not couple to a frictionless central impact and are left out
 /// (docs/theory/spheres.md).
 using bodies::Displacement;
 using bodies::Flexibility;
