@@ -1,7 +1,6 @@
-// The interval of a speed is found as in RestitutionFunction: in bins of equal ln v.
+// A function of the speed, and one of the ratio of radii as well: the same functions in C, with one more argument.
 #include "stoss/table/c_source.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -11,62 +10,28 @@
 #include "check.hpp"
 #include "stoss/errors.hpp"
 #include "table/arguments.hpp"
+#include "table/axes.hpp"
+#include "table/c_grid.hpp"
 #include "table/c_text.hpp"
 
 namespace stoss {
 namespace {
 
-constexpr std::string_view functions = R"(
-/* The interval between knots that ln(speed) lies in. */
-@NAME@_FUNCTION int @name@_interval(double x)
+constexpr std::string_view at = R"(
+/* Restitution and its error; what is not a number where the table says nothing. */
+@NAME@_FUNCTION void @name@_at(double speed@ratio@, double *found)
 {
-  int k = @NAME@_INDEX((x - @first@) * @bins@);
-  if (k < 0) k = 0;
-  if (k > @last@) k = @last@;
-  k = @name@_first[k];
-  while (k > 0 && x < @name@_knots[k][0]) --k;
-  while (k < @last@ && x >= @name@_knots[k + 1][0]) ++k;
-  return k;
-}
-
-@NAME@_FUNCTION double @name@_restitution(double speed)
-{
-  const double v = fabs(speed);
-  const double *a, *b;
-  double x, h, t, u;
-  int k;
-  if (!(v >= @NAME@_SLOWEST)) return v < @NAME@_SLOWEST ? @below@ : v;
-  if (v > @NAME@_FASTEST) return @above@;
-  x = log(v);
-  k = @name@_interval(x);
-  a = @name@_knots[k];
-  b = @name@_knots[k + 1];
-  h = b[0] - a[0];
-  t = (x - a[0]) / h;
-  u = 1.0 - t;
-  return a[1] * (1.0 + 2.0 * t) * u * u + b[1] * t * t * (1.0 + 2.0 * u) + h * t * u * (a[2] * u - b[2] * t);
-}
-
-@NAME@_FUNCTION double @name@_restitution_error(double speed)
-{
-  const double v = fabs(speed);
-  if (v >= @NAME@_SLOWEST && v <= @NAME@_FASTEST) return @name@_errors[@name@_interval(log(v))];
-  return v >= 0.0 ? HUGE_VAL : v;
+  double v = fabs(speed), p = @place@;
+  const int inside = v >= @NAME@_SLOWEST && v <= @NAME@_FASTEST@inside@;
+  if (!inside) {
+    found[0] = found[1] = HUGE_VAL - HUGE_VAL;
+    if (!(v >= 0.0)@unknown@) return;
+    found[1] = HUGE_VAL;
+@outside@  }
+  @name@_look_up(log(v), 0.0, p, found);
+  if (!inside) found[1] = HUGE_VAL;
 }
 )";
-
-/// The interval in which each of as many bins of equal ln v begins.
-std::vector<std::string> first_in_bins(const std::vector<double>& x, double bins_per_unit) {
-  const std::size_t intervals = x.size() - 1;
-  std::vector<std::string> first;
-  std::size_t k = 0;
-  for (std::size_t bin = 0; bin < intervals; ++bin) {
-    const double begin = x.front() + static_cast<double>(bin) / bins_per_unit;
-    while (k + 1 < intervals && x[k + 1] <= begin) ++k;
-    first.push_back(std::to_string(k));
-  }
-  return first;
-}
 
 std::vector<std::string> comment(const RestitutionFunction& function, const TableLabel& label) {
   const bool clamps = function.beyond() == Beyond::clamp;
@@ -93,10 +58,51 @@ std::vector<std::string> comment(const RestitutionFunction& function, const Tabl
         "stoss predict says both for each speed.", ""};
     lines.insert(lines.begin() + 5, more.begin(), more.end());
   }
-  for (std::string& line : lines) line = table::filled(line, label.name);
-  lines.insert(lines.end(), label.provenance.begin(), label.provenance.end());
-  while (lines.back().empty()) lines.pop_back();
   return lines;
+}
+
+std::vector<std::string> comment(const PairTable& pairs, const TableLabel& label) {
+  const bool clamps = pairs.beyond() == Beyond::clamp;
+  const std::string inverse = pairs.values().alike ? "; its inverse is the same pair" : "";
+  return {
+      "Coefficient of restitution of two elastic bodies against their speed of approach and the ratio of their radii.",
+      "",
+      "  @name@_restitution(v, r)        at the speed of approach v, in " + label.unit + "; its sign does not count",
+      "  @name@_restitution_error(v, r)  its error, interpolation included: at most " + shown(pairs.greatest_error()),
+      "",
+      "r is the radius of the second body over that of the first" + inverse + ".",
+      "Speeds go from @NAME@_SLOWEST to @NAME@_FASTEST, ratios from @NAME@_SMALLEST to @NAME@_GREATEST.",
+      "Beyond, the coefficient is " + std::string(clamps ? "that at the nearer end," : "not a number,") +
+          " and its error HUGE_VAL. NaN gives NaN.",
+      "",
+      "Values were computed at " + std::to_string(pairs.values().speeds.size()) + " speeds and " +
+          std::to_string(pairs.values().ratios.size()) + " ratios.",
+      ""};
+}
+
+/// The header of one grid. @param about its first comment
+std::string header(const std::string& name, table::CGrid grid, bool alike, Beyond beyond,
+                   std::vector<std::string> about, const TableLabel& label) {
+  table::require_c_name(label.name);
+  grid.name = name + "_restitution";
+  const bool mixture = grid.ratios.size() > 1;
+  const table::CRange range(grid.ratios, alike);
+  std::string outside = "    return;\n";
+  if (beyond == Beyond::clamp) {
+    outside = (mixture ? "    if (!(ratio > 0.0)) return;\n" : "") + range.nearest;
+  }
+  std::vector<std::string> arguments{"speed"};
+  if (mixture) arguments.emplace_back("ratio");
+  const std::string body = table::c_limits(grid.speeds, grid.ratios, label.scale) + "\n" +
+                           table::c_look_up({grid}, label.scale) + std::string(at) +
+                           table::c_numbers_of(arguments, {"restitution", "restitution_error"});
+  return table::c_file(name, table::c_description(std::move(about), name, label),
+                       table::filled(body, name,
+                                     {{"place", range.place},
+                                      {"inside", range.inside},
+                                      {"ratio", mixture ? ", double ratio" : ""},
+                                      {"unknown", mixture ? " || !(ratio >= 0.0 || ratio < 0.0)" : ""},
+                                      {"outside", outside}}));
 }
 
 }  // namespace
@@ -107,41 +113,26 @@ void validate(const TableLabel& label) {
 }
 
 std::string c_header(const RestitutionFunction& function, const TableLabel& label) {
-  table::require_c_name(label.name);
   if (function.beyond() == Beyond::law) {
     throw InvalidInput::out_of_range("beyond", "law", "error or clamp", "a table in C has no law of slow impacts");
   }
-  const auto [slowest, fastest] = table::speed_range(function, label.scale);
-  const std::vector<Knot>& knots = function.knots();
-  std::vector<double> x;
-  std::vector<std::vector<std::string>> rows;
-  for (std::size_t k = 0; k < knots.size(); ++k) {
-    x.push_back(std::log(knots[k].speed * label.scale));
-    rows.push_back(
-        {table::c_number(x[k]), table::c_number(knots[k].restitution.value), table::c_number(function.slopes()[k])});
+  table::CGrid grid;
+  for (std::size_t k = 0; k < function.knots().size(); ++k) {
+    grid.speeds.push_back(function.knots()[k].speed);
+    grid.nodes.push_back(function.knots()[k].restitution.value);
+    grid.nodes.push_back(function.slopes()[k]);
   }
-  std::vector<std::string> errors;
-  for (const double error : function.errors()) errors.push_back(table::c_number(error));
-  const double bins_per_unit = static_cast<double>(errors.size()) / (x.back() - x.front());
-  const bool clamps = function.beyond() == Beyond::clamp;
-  const std::string not_a_number = "HUGE_VAL - HUGE_VAL";
+  grid.errors = function.errors();
+  return header(label.name, std::move(grid), false, function.beyond(), comment(function, label), label);
+}
 
-  const std::string& name = label.name;
-  const std::string limits =
-      table::filled("#define @NAME@_SLOWEST @slowest@\n#define @NAME@_FASTEST @fastest@\n\n", name,
-                    {{"slowest", table::c_number(slowest)}, {"fastest", table::c_number(fastest)}});
-  const std::string arrays =
-      table::c_array("double", name + "_knots", "ln(speed), restitution, its slope against ln(speed)", rows) +
-      table::c_array("double", name + "_errors", "of the restitution, between a knot and the next", errors) +
-      table::c_array("int", name + "_first", "interval in which each of as many equal parts of ln(speed) begins",
-                     first_in_bins(x, bins_per_unit));
-  const std::string code = table::filled(std::string(functions), name,
-                                         {{"first", table::c_number(x.front())},
-                                          {"bins", table::c_number(bins_per_unit)},
-                                          {"last", std::to_string(errors.size() - 1)},
-                                          {"below", clamps ? rows.front()[1] : not_a_number},
-                                          {"above", clamps ? rows.back()[1] : not_a_number}});
-  return table::c_file(name, comment(function, label), limits + arrays + code);
+std::string c_header(const PairTable& pairs, const TableLabel& label) {
+  const PairValues& values = pairs.values();
+  table::CGrid grid{{}, values.speeds, {0.0}, values.ratios, {}, pairs.errors()};
+  for (const auto& [value, by_speed, by_ratio, by_both] : pairs.nodes()) {
+    grid.nodes.insert(grid.nodes.end(), {value, by_speed, by_ratio, by_both});
+  }
+  return header(label.name + "_pair", std::move(grid), values.alike, pairs.beyond(), comment(pairs, label), label);
 }
 
 }  // namespace stoss

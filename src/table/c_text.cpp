@@ -1,6 +1,7 @@
 #include "table/c_text.hpp"
 
 #include <cmath>
+#include <string_view>
 
 #include "check.hpp"
 #include "stoss/errors.hpp"
@@ -38,14 +39,6 @@ std::string harmless(std::string_view text) {
     out += control ? ' ' : c;
   }
   return out;
-}
-
-/// An array up to its brace.
-std::string head(const std::string& type, const std::string& name, const std::string& comment,
-                 const std::vector<std::size_t>& sizes) {
-  std::string text = "/* " + comment + " */\nstatic const " + type + " " + name;
-  for (const std::size_t size : sizes) text.append("[").append(std::to_string(size)).append("]");
-  return text.append(" = {\n");
 }
 
 constexpr std::string_view begin = R"(#ifndef @NAME@_RESTITUTION_TABLE
@@ -106,19 +99,9 @@ std::string at_most(double error) {
 }
 
 std::string c_array(const std::string& type, const std::string& name, const std::string& comment,
-                    const std::vector<std::vector<std::string>>& rows) {
-  std::string text = head(type, name, comment, {rows.size(), rows.front().size()});
-  for (const auto& row : rows) {
-    std::string cells;
-    for (const std::string& cell : row) cells.append(cells.empty() ? "" : ", ").append(cell);
-    text.append("  {").append(cells).append(&row == &rows.back() ? "}\n" : "},\n");
-  }
-  return text.append("};\n");
-}
-
-std::string c_array(const std::string& type, const std::string& name, const std::string& comment,
                     const std::vector<std::string>& cells) {
-  std::string text = head(type, name, comment, {cells.size()});
+  std::string text =
+      "/* " + comment + " */\nstatic const " + type + " " + name + "[" + std::to_string(cells.size()) + "] = {\n";
   std::string line = " ";
   for (const std::string& cell : cells) {
     if (line.size() + cell.size() + 2 > width) {

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,27 +17,9 @@ namespace stoss::table {
 /// An error as text, to two digits, rounded up.
 [[nodiscard]] std::string at_most(double error);
 
-/// A static array of rows, with a line of comment above. @param type as in double. @param rows as many cells in each
-[[nodiscard]] std::string c_array(const std::string& type, const std::string& name, const std::string& comment,
-                                  const std::vector<std::vector<std::string>>& rows);
-
-/// The same of one index. Its cells fill lines.
+/// A static array, with a line of comment above. Its cells fill lines. @param type as in double
 [[nodiscard]] std::string c_array(const std::string& type, const std::string& name, const std::string& comment,
                                   const std::vector<std::string>& cells);
-
-/// The function that finds an interval as numeric::Bins does.
-inline constexpr std::string_view c_interval_function = R"(
-/* Of as many intervals between places x, that in which another one lies. */
-@NAME@_FUNCTION int @name@_interval(const double *x, const int *first, int intervals, double bins, double at)
-{
-  int k = @NAME@_INDEX((at - x[0]) * bins);
-  if (k < 0) k = 0;
-  if (k > intervals) k = intervals;
-  k = first[k];
-  while (k + 1 < intervals && at >= x[k + 1]) ++k;
-  return k;
-}
-)";
 
 /// A comment of several lines, from which no text can break out.
 [[nodiscard]] std::string c_comment(const std::vector<std::string>& lines);

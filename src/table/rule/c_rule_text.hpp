@@ -4,50 +4,8 @@
 
 namespace stoss::table {
 
-/// Sums of a cubic along one, two and three axes, as numeric::CubicGrid has them.
-inline constexpr std::string_view c_cubic_functions = R"(
-/* The interval of places x in which another one lies, and the weights of values and slopes at its ends. */
-@NAME@_FUNCTION int @name@_weigh(const double *x, const int *first, int last, double bins, double at, double *w)
-{
-  double h, t, u;
-  int k;
-  if (at < x[0]) at = x[0];
-  if (at > x[last]) at = x[last];
-  k = @name@_interval(x, first, last, bins, at);
-  h = x[k + 1] - x[k];
-  t = (at - x[k]) / h;
-  u = 1.0 - t;
-  w[0] = (1.0 + 2.0 * t) * u * u;
-  w[1] = t * t * (1.0 + 2.0 * u);
-  w[2] = h * t * u * u;
-  w[3] = -h * t * t * u;
-  return k;
-}
-
-@NAME@_FUNCTION double @name@_sum_1(const double *a, int next, const double *w)
-{
-  const double *b = a + next;
-  return w[0] * a[0] + w[1] * b[0] + w[2] * a[1] + w[3] * b[1];
-}
-
-@NAME@_FUNCTION double @name@_sum_2(const double *a, int next, int line, const double *w, const double *y)
-{
-  const double *b = a + line;
-  return y[0] * @name@_sum_1(a, next, w) + y[1] * @name@_sum_1(b, next, w) + y[2] * @name@_sum_1(a + 2, next, w) +
-         y[3] * @name@_sum_1(b + 2, next, w);
-}
-
-@NAME@_FUNCTION double @name@_sum_3(const double *a, int next, int line, int plane, const double *w, const double *y,
-                                    const double *z)
-{
-  const double *b = a + plane;
-  return z[0] * @name@_sum_2(a, next, line, w, y) + z[1] * @name@_sum_2(b, next, line, w, y) +
-         z[2] * @name@_sum_2(a + 4, next, line, w, y) + z[3] * @name@_sum_2(b + 4, next, line, w, y);
-}
-)";
-
-/// The rule at any arguments, as RuleTable::unchecked has it, and each of its numbers.
-inline constexpr std::string_view c_rule_functions = R"(
+/// The rule at any arguments, as RuleTable::unchecked has it.
+inline constexpr std::string_view c_rule_function = R"(
 /* Restitution, its error, sliding after, its error; what is not a number where the table says nothing. */
 @NAME@_FUNCTION void @name@_at(double speed, double sliding, double friction, double ratio, double *found)
 {
@@ -59,8 +17,7 @@ inline constexpr std::string_view c_rule_functions = R"(
   inside = v >= @NAME@_SLOWEST && v <= @NAME@_FASTEST@inside@;
   if (!inside) {
     found[1] = found[3] = HUGE_VAL;
-@outside@    if (v < @NAME@_SLOWEST) v = @NAME@_SLOWEST;
-  }
+@outside@  }
   @name@_look_up(log(v), scale > 0.0 ? (s - limit) / scale : -1.0, p, found);
   if (found[0] < 0.0) found[0] = 0.0;
   if (found[0] > 1.0) found[0] = 1.0;
@@ -69,34 +26,6 @@ inline constexpr std::string_view c_rule_functions = R"(
   if (after > s) after = s;
   found[2] = sliding < 0.0 ? -after : after;
   if (!inside) found[1] = found[3] = HUGE_VAL;
-}
-
-@NAME@_FUNCTION double @name@_restitution(double speed, double sliding, double friction, double ratio)
-{
-  double found[4];
-  @name@_at(speed, sliding, friction, ratio, found);
-  return found[0];
-}
-
-@NAME@_FUNCTION double @name@_restitution_error(double speed, double sliding, double friction, double ratio)
-{
-  double found[4];
-  @name@_at(speed, sliding, friction, ratio, found);
-  return found[1];
-}
-
-@NAME@_FUNCTION double @name@_sliding(double speed, double sliding, double friction, double ratio)
-{
-  double found[4];
-  @name@_at(speed, sliding, friction, ratio, found);
-  return found[2];
-}
-
-@NAME@_FUNCTION double @name@_sliding_error(double speed, double sliding, double friction, double ratio)
-{
-  double found[4];
-  @name@_at(speed, sliding, friction, ratio, found);
-  return found[3];
 }
 )";
 

@@ -33,117 +33,119 @@
 #define ALIKE_PAIR_GREATEST 3.0
 
 /* ln(speed) */
-static const double alike_pair_speeds[6] = {
+static const double alike_pair_restitution_speeds[6] = {
   -4.605170185988091, -4.3428059215206005, -3.912023005428146, -2.995732273553991,
   -2.8134107167600364, -1.6094379124341003
 };
-/* s = (ratio - 1)/(ratio + 1) */
-static const double alike_pair_ratios[3] = {
-  0.0, 0.2, 0.5
-};
-/* restitution at each speed for all ratios, its slopes against ln(speed), s, and both */
-static const double alike_pair_nodes[18][4] = {
-  {0.8502, -0.010908497793359591, 0.0, 0.0},
-  {0.8468666666666667, -0.010908497793359591, -0.04111111111111099, 0.0},
-  {0.8235333333333333, -0.010908497793359591, -0.11444444444444446, 0.0},
-  {0.8473379999999999, -0.012527487279092793, 0.0, 0.0},
-  {0.8440046666666666, -0.012527487279092793, -0.04111111111111099, 0.0},
-  {0.8206713333333333, -0.012527487279092793, -0.11444444444444446, 0.0},
-  {0.8408, -0.019037948734024698, 0.0, 0.0},
-  {0.8374666666666667, -0.019037948734024698, -0.04111111111111099, 0.0},
-  {0.8141333333333334, -0.019037948734024698, -0.11444444444444446, 0.0},
-  {0.815, -0.035596027361620916, 0.0, 0.0},
-  {0.8116666666666666, -0.035596027361620916, -0.04111111111111099, 0.0},
-  {0.7883333333333333, -0.035596027361620916, -0.11444444444444446, 0.0},
-  {0.8072, -0.04691346963516049, 0.0, 0.0},
-  {0.8038666666666667, -0.04691346963516049, -0.04111111111111099, 0.0},
-  {0.7805333333333334, -0.04691346963516049, -0.11444444444444446, 0.0},
-  {0.74, -0.055815214229546536, 0.0, 0.0},
-  {0.7366666666666667, -0.055815214229546536, -0.04111111111111099, 0.0},
-  {0.7133333333333334, -0.055815214229546536, -0.11444444444444446, 0.0}
-};
-/* of the restitution between two speeds and two ratios */
-static const double alike_pair_errors[5][2] = {
-  {0.00326625, 0.00326625},
-  {0.003275, 0.003275},
-  {0.0033125000000000003, 0.0033125000000000003},
-  {0.0033250000000000003, 0.0033250000000000003},
-  {0.0034999999999999996, 0.0034999999999999996}
-};
-/* interval in which each of equal parts of ln(speed) begins */
-static const int alike_pair_first_speeds[7] = {
+/* interval in which each of equal parts of it begins */
+static const int alike_pair_restitution_speeds_first[7] = {
   0, 1, 2, 4, 4, 4, 4
 };
-/* interval in which each of equal parts of s begins */
-static const int alike_pair_first_ratios[4] = {
+/* (ratio - 1)/(ratio + 1) */
+static const double alike_pair_restitution_ratios[3] = {
+  0.0, 0.2, 0.5
+};
+/* interval in which each of equal parts of it begins */
+static const int alike_pair_restitution_ratios_first[4] = {
   0, 1, 1, 1
 };
+/* value at each crossing, and its derivatives along the axes */
+static const double alike_pair_restitution_nodes[72] = {
+  0.8502, -0.010908497793359591, 0.0, 0.0, 0.8468666666666667, -0.010908497793359591,
+  -0.04111111111111099, 0.0, 0.8235333333333333, -0.010908497793359591, -0.11444444444444446, 0.0,
+  0.8473379999999999, -0.012527487279092793, 0.0, 0.0, 0.8440046666666666, -0.012527487279092793,
+  -0.04111111111111099, 0.0, 0.8206713333333333, -0.012527487279092793, -0.11444444444444446, 0.0,
+  0.8408, -0.019037948734024698, 0.0, 0.0, 0.8374666666666667, -0.019037948734024698,
+  -0.04111111111111099, 0.0, 0.8141333333333334, -0.019037948734024698, -0.11444444444444446, 0.0,
+  0.815, -0.035596027361620916, 0.0, 0.0, 0.8116666666666666, -0.035596027361620916,
+  -0.04111111111111099, 0.0, 0.7883333333333333, -0.035596027361620916, -0.11444444444444446, 0.0,
+  0.8072, -0.04691346963516049, 0.0, 0.0, 0.8038666666666667, -0.04691346963516049,
+  -0.04111111111111099, 0.0, 0.7805333333333334, -0.04691346963516049, -0.11444444444444446, 0.0,
+  0.74, -0.055815214229546536, 0.0, 0.0, 0.7366666666666667, -0.055815214229546536,
+  -0.04111111111111099, 0.0, 0.7133333333333334, -0.055815214229546536, -0.11444444444444446, 0.0
+};
+/* of each cell */
+static const double alike_pair_restitution_errors[10] = {
+  0.00326625, 0.00326625, 0.003275, 0.003275, 0.0033125000000000003, 0.0033125000000000003,
+  0.0033250000000000003, 0.0033250000000000003, 0.0034999999999999996, 0.0034999999999999996
+};
 
-/* Of as many intervals between places x, that in which another one lies. */
-ALIKE_PAIR_FUNCTION int alike_pair_interval(const double *x, const int *first, int intervals, double bins, double at)
+/* The interval k of places x in which another one lies, and in it the weights of the cubic a + w0(b - a) + w1 a' - w2 b'
+ * of values a, b and slopes a', b' at its ends. */
+ALIKE_PAIR_FUNCTION int alike_pair_weigh(const double *x, const int *first, int last, double bins, double at, double *w)
 {
-  int k = ALIKE_PAIR_INDEX((at - x[0]) * bins);
+  double h, t, u;
+  int k;
+  k = ALIKE_PAIR_INDEX((at - x[0]) * bins);
   if (k < 0) k = 0;
-  if (k > intervals) k = intervals;
+  if (k > last) k = last;
   k = first[k];
-  while (k + 1 < intervals && at >= x[k + 1]) ++k;
+  while (k + 1 < last && at >= x[k + 1]) ++k;
+  h = x[k + 1] - x[k];
+  t = (at - x[k]) / h;
+  u = 1.0 - t;
+  w[0] = t * t * (1.0 + 2.0 * u);
+  w[1] = h * t * u * u;
+  w[2] = h * t * u * t;
   return k;
 }
 
-/* Ratios by their difference over their sum, which changes its sign with the inverse. */
-ALIKE_PAIR_FUNCTION double alike_pair_place(double ratio)
+ALIKE_PAIR_FUNCTION double alike_pair_sum_1(const double *a, int next, const double *w)
 {
-  const double s = (ratio - 1.0) / (ratio + 1.0);
-  return fabs(s);
+  const double *b = a + next;
+  return a[0] + w[0] * (b[0] - a[0]) + w[1] * a[1] - w[2] * b[1];
 }
 
-ALIKE_PAIR_FUNCTION int alike_pair_holds(double v, double ratio)
+ALIKE_PAIR_FUNCTION double alike_pair_sum_2(const double *a, int next, int line, const double *w, const double *y)
 {
-  const double s = alike_pair_place(ratio);
-  return v >= ALIKE_PAIR_SLOWEST && v <= ALIKE_PAIR_FASTEST && ratio > 0.0 && s >= -1e-15 && s <= 0.500000000000001;
+  const double *b = a + line;
+  const double begin = alike_pair_sum_1(a, next, w), end = alike_pair_sum_1(b, next, w);
+  return begin + y[0] * (end - begin) + y[1] * alike_pair_sum_1(a + 2, next, w) - y[2] * alike_pair_sum_1(b + 2, next, w);
 }
 
-ALIKE_PAIR_FUNCTION double alike_pair_within(double v, double s)
+ALIKE_PAIR_FUNCTION void alike_pair_look_up(double x, double z, double p, double *found)
 {
-  const double x = log(v);
-  const int k = alike_pair_interval(alike_pair_speeds, alike_pair_first_speeds, 5, 1.6690410034766705, x);
-  const int j = alike_pair_interval(alike_pair_ratios, alike_pair_first_ratios, 2, 4.0, s);
-  const double (*a)[4] = alike_pair_nodes + k * (2 + 1) + j;
-  const double (*b)[4] = a + 2 + 1;
-  const double h = alike_pair_speeds[k + 1] - alike_pair_speeds[k];
-  const double g = alike_pair_ratios[j + 1] - alike_pair_ratios[j];
-  const double t = (x - alike_pair_speeds[k]) / h, u = 1.0 - t;
-  const double p = (s - alike_pair_ratios[j]) / g, q = 1.0 - p;
-  const double a0 = (1.0 + 2.0 * t) * u * u, b0 = t * t * (1.0 + 2.0 * u), a1 = h * t * u * u, b1 = -h * t * t * u;
-  const double left = a0 * a[0][0] + b0 * b[0][0] + a1 * a[0][1] + b1 * b[0][1];
-  const double right = a0 * a[1][0] + b0 * b[1][0] + a1 * a[1][1] + b1 * b[1][1];
-  const double from = a0 * a[0][2] + b0 * b[0][2] + a1 * a[0][3] + b1 * b[0][3];
-  const double to = a0 * a[1][2] + b0 * b[1][2] + a1 * a[1][3] + b1 * b[1][3];
-  return left * (1.0 + 2.0 * p) * q * q + right * p * p * (1.0 + 2.0 * q) + g * p * q * (from * q - to * p);
+  double w[2][3];
+  int k[2];
+  k[0] = alike_pair_weigh(alike_pair_restitution_speeds, alike_pair_restitution_speeds_first, 5, 1.6690410034766705, x, w[0]);
+  k[1] = alike_pair_weigh(alike_pair_restitution_ratios, alike_pair_restitution_ratios_first, 2, 4.0, p, w[1]);
+  found[0] = alike_pair_sum_2(alike_pair_restitution_nodes + (k[0] * 12 + k[1] * 4), 12, 4, w[0], w[1]);
+  found[1] = alike_pair_restitution_errors[k[0] * 2 + k[1] * 1];
+  (void)z;
+  (void)p;
+}
+
+/* Restitution and its error; what is not a number where the table says nothing. */
+ALIKE_PAIR_FUNCTION void alike_pair_at(double speed, double ratio, double *found)
+{
+  double v = fabs(speed), p = fabs((ratio - 1.0) / (ratio + 1.0));
+  const int inside = v >= ALIKE_PAIR_SLOWEST && v <= ALIKE_PAIR_FASTEST && p >= -1e-15 && p <= 0.500000000000001;
+  if (!inside) {
+    found[0] = found[1] = HUGE_VAL - HUGE_VAL;
+    if (!(v >= 0.0) || !(ratio >= 0.0 || ratio < 0.0)) return;
+    found[1] = HUGE_VAL;
+    if (!(ratio > 0.0)) return;
+    if (v < ALIKE_PAIR_SLOWEST) v = ALIKE_PAIR_SLOWEST;
+    if (v > ALIKE_PAIR_FASTEST) v = ALIKE_PAIR_FASTEST;
+    if (!(p < 0.5)) p = 0.5;
+    if (p < 0.0) p = 0.0;
+  }
+  alike_pair_look_up(log(v), 0.0, p, found);
+  if (!inside) found[1] = HUGE_VAL;
 }
 
 ALIKE_PAIR_FUNCTION double alike_pair_restitution(double speed, double ratio)
 {
-  double v = fabs(speed), s = alike_pair_place(ratio);
-  if (alike_pair_holds(v, ratio)) return alike_pair_within(v, s);
-  if (!(v >= 0.0)) return v;
-  if (!(ratio >= 0.0 || ratio < 0.0)) return ratio;
-  if (!(ratio > 0.0)) return HUGE_VAL - HUGE_VAL;
-  if (v < ALIKE_PAIR_SLOWEST) v = ALIKE_PAIR_SLOWEST;
-  if (v > ALIKE_PAIR_FASTEST) v = ALIKE_PAIR_FASTEST;
-  if (s < 0.0) s = 0.0;
-  if (!(s <= 0.5)) s = 0.5;
-  return alike_pair_within(v, s);
+  double found[2];
+  alike_pair_at(speed, ratio, found);
+  return found[0];
 }
 
 ALIKE_PAIR_FUNCTION double alike_pair_restitution_error(double speed, double ratio)
 {
-  const double v = fabs(speed), s = alike_pair_place(ratio);
-  if (!(v >= 0.0)) return v;
-  if (!(ratio >= 0.0 || ratio < 0.0)) return ratio;
-  if (!alike_pair_holds(v, ratio)) return HUGE_VAL;
-  return alike_pair_errors[alike_pair_interval(alike_pair_speeds, alike_pair_first_speeds, 5, 1.6690410034766705, log(v))]
-                      [alike_pair_interval(alike_pair_ratios, alike_pair_first_ratios, 2, 4.0, s)];
+  double found[2];
+  alike_pair_at(speed, ratio, found);
+  return found[1];
 }
 
 #undef ALIKE_PAIR_FUNCTION

@@ -216,59 +216,51 @@ static const double mixture_rule_sliding_errors[28] = {
   0.0016625000000000001, 0.0016625000000000001, 0.0016625000000000001, 0.0016625000000000001
 };
 
-/* Of as many intervals between places x, that in which another one lies. */
-MIXTURE_RULE_FUNCTION int mixture_rule_interval(const double *x, const int *first, int intervals, double bins, double at)
-{
-  int k = MIXTURE_RULE_INDEX((at - x[0]) * bins);
-  if (k < 0) k = 0;
-  if (k > intervals) k = intervals;
-  k = first[k];
-  while (k + 1 < intervals && at >= x[k + 1]) ++k;
-  return k;
-}
-
-/* The interval of places x in which another one lies, and the weights of values and slopes at its ends. */
+/* The interval k of places x in which another one lies, and in it the weights of the cubic a + w0(b - a) + w1 a' - w2 b'
+ * of values a, b and slopes a', b' at its ends. */
 MIXTURE_RULE_FUNCTION int mixture_rule_weigh(const double *x, const int *first, int last, double bins, double at, double *w)
 {
   double h, t, u;
   int k;
-  if (at < x[0]) at = x[0];
-  if (at > x[last]) at = x[last];
-  k = mixture_rule_interval(x, first, last, bins, at);
+  k = MIXTURE_RULE_INDEX((at - x[0]) * bins);
+  if (k < 0) k = 0;
+  if (k > last) k = last;
+  k = first[k];
+  while (k + 1 < last && at >= x[k + 1]) ++k;
   h = x[k + 1] - x[k];
   t = (at - x[k]) / h;
   u = 1.0 - t;
-  w[0] = (1.0 + 2.0 * t) * u * u;
-  w[1] = t * t * (1.0 + 2.0 * u);
-  w[2] = h * t * u * u;
-  w[3] = -h * t * t * u;
+  w[0] = t * t * (1.0 + 2.0 * u);
+  w[1] = h * t * u * u;
+  w[2] = h * t * u * t;
   return k;
 }
 
 MIXTURE_RULE_FUNCTION double mixture_rule_sum_1(const double *a, int next, const double *w)
 {
   const double *b = a + next;
-  return w[0] * a[0] + w[1] * b[0] + w[2] * a[1] + w[3] * b[1];
+  return a[0] + w[0] * (b[0] - a[0]) + w[1] * a[1] - w[2] * b[1];
 }
 
 MIXTURE_RULE_FUNCTION double mixture_rule_sum_2(const double *a, int next, int line, const double *w, const double *y)
 {
   const double *b = a + line;
-  return y[0] * mixture_rule_sum_1(a, next, w) + y[1] * mixture_rule_sum_1(b, next, w) + y[2] * mixture_rule_sum_1(a + 2, next, w) +
-         y[3] * mixture_rule_sum_1(b + 2, next, w);
+  const double begin = mixture_rule_sum_1(a, next, w), end = mixture_rule_sum_1(b, next, w);
+  return begin + y[0] * (end - begin) + y[1] * mixture_rule_sum_1(a + 2, next, w) - y[2] * mixture_rule_sum_1(b + 2, next, w);
 }
 
 MIXTURE_RULE_FUNCTION double mixture_rule_sum_3(const double *a, int next, int line, int plane, const double *w, const double *y,
                                     const double *z)
 {
   const double *b = a + plane;
-  return z[0] * mixture_rule_sum_2(a, next, line, w, y) + z[1] * mixture_rule_sum_2(b, next, line, w, y) +
-         z[2] * mixture_rule_sum_2(a + 4, next, line, w, y) + z[3] * mixture_rule_sum_2(b + 4, next, line, w, y);
+  const double begin = mixture_rule_sum_2(a, next, line, w, y), end = mixture_rule_sum_2(b, next, line, w, y);
+  return begin + z[0] * (end - begin) + z[1] * mixture_rule_sum_2(a + 4, next, line, w, y) -
+         z[2] * mixture_rule_sum_2(b + 4, next, line, w, y);
 }
 
 MIXTURE_RULE_FUNCTION void mixture_rule_look_up(double x, double z, double p, double *found)
 {
-  double w[4][4];
+  double w[4][3];
   int k[4];
   k[0] = mixture_rule_weigh(mixture_rule_restitution_speeds, mixture_rule_restitution_speeds_first, 3, 1.001424602086002, x, w[0]);
   k[1] = mixture_rule_weigh(mixture_rule_restitution_ratios, mixture_rule_restitution_ratios_first, 2, 4.0, p, w[1]);
@@ -294,6 +286,9 @@ MIXTURE_RULE_FUNCTION void mixture_rule_at(double speed, double sliding, double 
   if (!inside) {
     found[1] = found[3] = HUGE_VAL;
     if (v < MIXTURE_RULE_SLOWEST) v = MIXTURE_RULE_SLOWEST;
+    if (v > MIXTURE_RULE_FASTEST) v = MIXTURE_RULE_FASTEST;
+    if (!(p < 0.5)) p = 0.5;
+    if (p < 0.0) p = 0.0;
   }
   mixture_rule_look_up(log(v), scale > 0.0 ? (s - limit) / scale : -1.0, p, found);
   if (found[0] < 0.0) found[0] = 0.0;

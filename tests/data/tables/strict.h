@@ -33,65 +33,94 @@
 #define STRICT_SLOWEST 0.0001
 #define STRICT_FASTEST 0.3
 
-/* ln(speed), restitution, its slope against ln(speed) */
-static const double strict_knots[11][3] = {
-  {-9.210340371976182, 0.97983005, -0.00030911724136247},
-  {-8.111728083308073, 0.97949045, -0.00044145232752464245},
-  {-7.600902459542082, 0.9791512499999999, -0.0009086558664078906},
-  {-6.214608098422191, 0.97662, -0.0027248808756436703},
-  {-5.809142990314028, 0.974945, -0.005406850650938565},
-  {-4.605170185988091, 0.9634999999999999, -0.013842031180114716},
-  {-3.912023005428146, 0.948, -0.02925483986419392},
-  {-2.995732273553991, 0.9075, -0.05401759158802182},
-  {-2.2072749131897207, 0.8534999999999999, -0.062967042475481},
-  {-2.0402208285265546, 0.8435, 0.0},
-  {-1.2039728043259361, 0.9199999999999999, 0.09148003676675631}
+/* ln(speed) */
+static const double strict_restitution_speeds[11] = {
+  -9.210340371976182, -8.111728083308073, -7.600902459542082, -6.214608098422191,
+  -5.809142990314028, -4.605170185988091, -3.912023005428146, -2.995732273553991,
+  -2.2072749131897207, -2.0402208285265546, -1.2039728043259361
 };
-/* of the restitution, between a knot and the next */
-static const double strict_errors[10] = {
+/* interval in which each of equal parts of it begins */
+static const int strict_restitution_speeds_first[12] = {
+  0, 0, 1, 2, 3, 4, 5, 6, 7, 9, 9, 9
+};
+/* value at each crossing, and its derivatives along the axes */
+static const double strict_restitution_nodes[22] = {
+  0.97983005, -0.00030911724136247, 0.97949045, -0.00044145232752464245, 0.9791512499999999,
+  -0.0009086558664078906, 0.97662, -0.0027248808756436703, 0.974945, -0.005406850650938565,
+  0.9634999999999999, -0.013842031180114716, 0.948, -0.02925483986419392, 0.9075,
+  -0.05401759158802182, 0.8534999999999999, -0.062967042475481, 0.8435, 0.0, 0.9199999999999999,
+  0.09148003676675631
+};
+/* of each cell */
+static const double strict_restitution_errors[10] = {
   0.0001103, 0.0001205, 0.000132, 0.00011300000000000001, 0.00013000000000000002,
   0.00015000000000000001, 0.00016, 0.00023, 0.00026000000000000003, 0.00041
 };
-/* interval in which each of as many equal parts of ln(speed) begins */
-static const int strict_first[10] = {
-  0, 0, 1, 2, 3, 4, 5, 6, 7, 9
-};
 
-/* The interval between knots that ln(speed) lies in. */
-STRICT_FUNCTION int strict_interval(double x)
+/* The interval k of places x in which another one lies, and in it the weights of the cubic a + w0(b - a) + w1 a' - w2 b'
+ * of values a, b and slopes a', b' at its ends. */
+STRICT_FUNCTION int strict_weigh(const double *x, const int *first, int last, double bins, double at, double *w)
 {
-  int k = STRICT_INDEX((x - -9.210340371976182) * 1.2490058588372874);
+  double h, t, u;
+  int k;
+  k = STRICT_INDEX((at - x[0]) * bins);
   if (k < 0) k = 0;
-  if (k > 9) k = 9;
-  k = strict_first[k];
-  while (k > 0 && x < strict_knots[k][0]) --k;
-  while (k < 9 && x >= strict_knots[k + 1][0]) ++k;
+  if (k > last) k = last;
+  k = first[k];
+  while (k + 1 < last && at >= x[k + 1]) ++k;
+  h = x[k + 1] - x[k];
+  t = (at - x[k]) / h;
+  u = 1.0 - t;
+  w[0] = t * t * (1.0 + 2.0 * u);
+  w[1] = h * t * u * u;
+  w[2] = h * t * u * t;
   return k;
+}
+
+STRICT_FUNCTION double strict_sum_1(const double *a, int next, const double *w)
+{
+  const double *b = a + next;
+  return a[0] + w[0] * (b[0] - a[0]) + w[1] * a[1] - w[2] * b[1];
+}
+
+STRICT_FUNCTION void strict_look_up(double x, double z, double p, double *found)
+{
+  double w[1][3];
+  int k[1];
+  k[0] = strict_weigh(strict_restitution_speeds, strict_restitution_speeds_first, 10, 1.2490058588372874, x, w[0]);
+  found[0] = strict_sum_1(strict_restitution_nodes + (k[0] * 2), 2, w[0]);
+  found[1] = strict_restitution_errors[k[0] * 1];
+  (void)z;
+  (void)p;
+}
+
+/* Restitution and its error; what is not a number where the table says nothing. */
+STRICT_FUNCTION void strict_at(double speed, double *found)
+{
+  double v = fabs(speed), p = 0.0;
+  const int inside = v >= STRICT_SLOWEST && v <= STRICT_FASTEST;
+  if (!inside) {
+    found[0] = found[1] = HUGE_VAL - HUGE_VAL;
+    if (!(v >= 0.0)) return;
+    found[1] = HUGE_VAL;
+    return;
+  }
+  strict_look_up(log(v), 0.0, p, found);
+  if (!inside) found[1] = HUGE_VAL;
 }
 
 STRICT_FUNCTION double strict_restitution(double speed)
 {
-  const double v = fabs(speed);
-  const double *a, *b;
-  double x, h, t, u;
-  int k;
-  if (!(v >= STRICT_SLOWEST)) return v < STRICT_SLOWEST ? HUGE_VAL - HUGE_VAL : v;
-  if (v > STRICT_FASTEST) return HUGE_VAL - HUGE_VAL;
-  x = log(v);
-  k = strict_interval(x);
-  a = strict_knots[k];
-  b = strict_knots[k + 1];
-  h = b[0] - a[0];
-  t = (x - a[0]) / h;
-  u = 1.0 - t;
-  return a[1] * (1.0 + 2.0 * t) * u * u + b[1] * t * t * (1.0 + 2.0 * u) + h * t * u * (a[2] * u - b[2] * t);
+  double found[2];
+  strict_at(speed, found);
+  return found[0];
 }
 
 STRICT_FUNCTION double strict_restitution_error(double speed)
 {
-  const double v = fabs(speed);
-  if (v >= STRICT_SLOWEST && v <= STRICT_FASTEST) return strict_errors[strict_interval(log(v))];
-  return v >= 0.0 ? HUGE_VAL : v;
+  double found[2];
+  strict_at(speed, found);
+  return found[1];
 }
 
 #undef STRICT_FUNCTION

@@ -37,130 +37,133 @@
 #define UNEQUAL_PAIR_GREATEST 7.0
 
 /* ln(speed) */
-static const double unequal_pair_speeds[6] = {
+static const double unequal_pair_restitution_speeds[6] = {
   3.9458812895011315, 4.208245553968623, 4.639028470061077, 5.555319201935232, 5.737640758729186,
   6.941613563055123
 };
-/* s = (ratio - 1)/(ratio + 1) */
-static const double unequal_pair_ratios[6] = {
-  -0.3333333333333333, -0.25, -0.05263157894736841, 0.13043478260869568, 0.3333333333333333, 0.75
-};
-/* restitution at each speed for all ratios, its slopes against ln(speed), s, and both */
-static const double unequal_pair_nodes[36][4] = {
-  {0.8402, -0.010908497793359591, 0.06493703703703776, 0.0},
-  {0.8448666666666667, -0.010908497793359591, 0.04706296296296325, 0.0},
-  {0.8499777777777777, -0.010908497793359591, 0.009167236467236585, 0.0},
-  {0.8488153846153846, -0.010908497793359591, -0.023477777777777733, 0.0},
-  {0.8402, -0.010908497793359591, -0.1015384615384618, 0.0},
-  {0.7473428571428571, -0.010908497793359591, -0.34417582417582393, 0.0},
-  {0.8373379999999999, -0.012527487279092793, 0.06493703703703776, 0.0},
-  {0.8420046666666666, -0.012527487279092793, 0.04706296296296325, 0.0},
-  {0.8471157777777777, -0.012527487279092793, 0.009167236467236585, 0.0},
-  {0.8459533846153846, -0.012527487279092793, -0.023477777777777733, 0.0},
-  {0.8373379999999999, -0.012527487279092793, -0.1015384615384618, 0.0},
-  {0.744480857142857, -0.012527487279092793, -0.34417582417582393, 0.0},
-  {0.8308, -0.019037948734024698, 0.06493703703703776, 0.0},
-  {0.8354666666666667, -0.019037948734024698, 0.04706296296296325, 0.0},
-  {0.8405777777777778, -0.019037948734024698, 0.009167236467236585, 0.0},
-  {0.8394153846153847, -0.019037948734024698, -0.023477777777777733, 0.0},
-  {0.8308, -0.019037948734024698, -0.1015384615384618, 0.0},
-  {0.7379428571428571, -0.019037948734024698, -0.34417582417582393, 0.0},
-  {0.8049999999999999, -0.035596027361620916, 0.06493703703703776, 0.0},
-  {0.8096666666666666, -0.035596027361620916, 0.04706296296296325, 0.0},
-  {0.8147777777777777, -0.035596027361620916, 0.009167236467236585, 0.0},
-  {0.8136153846153846, -0.035596027361620916, -0.023477777777777733, 0.0},
-  {0.8049999999999999, -0.035596027361620916, -0.1015384615384618, 0.0},
-  {0.7121428571428571, -0.035596027361620916, -0.34417582417582393, 0.0},
-  {0.7972, -0.04691346963516049, 0.06493703703703776, 0.0},
-  {0.8018666666666667, -0.04691346963516049, 0.04706296296296325, 0.0},
-  {0.8069777777777778, -0.04691346963516049, 0.009167236467236585, 0.0},
-  {0.8058153846153847, -0.04691346963516049, -0.023477777777777733, 0.0},
-  {0.7972, -0.04691346963516049, -0.1015384615384618, 0.0},
-  {0.7043428571428572, -0.04691346963516049, -0.34417582417582393, 0.0},
-  {0.73, -0.055815214229546536, 0.06493703703703776, 0.0},
-  {0.7346666666666667, -0.055815214229546536, 0.04706296296296325, 0.0},
-  {0.7397777777777778, -0.055815214229546536, 0.009167236467236585, 0.0},
-  {0.7386153846153847, -0.055815214229546536, -0.023477777777777733, 0.0},
-  {0.73, -0.055815214229546536, -0.1015384615384618, 0.0},
-  {0.6371428571428571, -0.055815214229546536, -0.34417582417582393, 0.0}
-};
-/* of the restitution between two speeds and two ratios */
-static const double unequal_pair_errors[5][5] = {
-  {0.00326625, 0.00326625, 0.00326625, 0.00326625, 0.00326625},
-  {0.003275, 0.003275, 0.003275, 0.003275, 0.003275},
-  {0.0033125000000000003, 0.0033125000000000003, 0.0033125000000000003, 0.0033125000000000003, 0.0033125000000000003},
-  {0.0033250000000000003, 0.0033250000000000003, 0.0033250000000000003, 0.0033250000000000003, 0.0033250000000000003},
-  {0.0034999999999999996, 0.0034999999999999996, 0.0034999999999999996, 0.0034999999999999996, 0.0034999999999999996}
-};
-/* interval in which each of equal parts of ln(speed) begins */
-static const int unequal_pair_first_speeds[7] = {
+/* interval in which each of equal parts of it begins */
+static const int unequal_pair_restitution_speeds_first[7] = {
   0, 1, 2, 4, 4, 4, 4
 };
-/* interval in which each of equal parts of s begins */
-static const int unequal_pair_first_ratios[7] = {
+/* (ratio - 1)/(ratio + 1) */
+static const double unequal_pair_restitution_ratios[6] = {
+  -0.3333333333333333, -0.25, -0.05263157894736841, 0.13043478260869568, 0.3333333333333333, 0.75
+};
+/* interval in which each of equal parts of it begins */
+static const int unequal_pair_restitution_ratios_first[7] = {
   0, 1, 2, 3, 4, 4, 4
 };
+/* value at each crossing, and its derivatives along the axes */
+static const double unequal_pair_restitution_nodes[144] = {
+  0.8402, -0.010908497793359591, 0.06493703703703776, 0.0, 0.8448666666666667,
+  -0.010908497793359591, 0.04706296296296325, 0.0, 0.8499777777777777, -0.010908497793359591,
+  0.009167236467236585, 0.0, 0.8488153846153846, -0.010908497793359591, -0.023477777777777733, 0.0,
+  0.8402, -0.010908497793359591, -0.1015384615384618, 0.0, 0.7473428571428571,
+  -0.010908497793359591, -0.34417582417582393, 0.0, 0.8373379999999999, -0.012527487279092793,
+  0.06493703703703776, 0.0, 0.8420046666666666, -0.012527487279092793, 0.04706296296296325, 0.0,
+  0.8471157777777777, -0.012527487279092793, 0.009167236467236585, 0.0, 0.8459533846153846,
+  -0.012527487279092793, -0.023477777777777733, 0.0, 0.8373379999999999, -0.012527487279092793,
+  -0.1015384615384618, 0.0, 0.744480857142857, -0.012527487279092793, -0.34417582417582393, 0.0,
+  0.8308, -0.019037948734024698, 0.06493703703703776, 0.0, 0.8354666666666667,
+  -0.019037948734024698, 0.04706296296296325, 0.0, 0.8405777777777778, -0.019037948734024698,
+  0.009167236467236585, 0.0, 0.8394153846153847, -0.019037948734024698, -0.023477777777777733, 0.0,
+  0.8308, -0.019037948734024698, -0.1015384615384618, 0.0, 0.7379428571428571,
+  -0.019037948734024698, -0.34417582417582393, 0.0, 0.8049999999999999, -0.035596027361620916,
+  0.06493703703703776, 0.0, 0.8096666666666666, -0.035596027361620916, 0.04706296296296325, 0.0,
+  0.8147777777777777, -0.035596027361620916, 0.009167236467236585, 0.0, 0.8136153846153846,
+  -0.035596027361620916, -0.023477777777777733, 0.0, 0.8049999999999999, -0.035596027361620916,
+  -0.1015384615384618, 0.0, 0.7121428571428571, -0.035596027361620916, -0.34417582417582393, 0.0,
+  0.7972, -0.04691346963516049, 0.06493703703703776, 0.0, 0.8018666666666667, -0.04691346963516049,
+  0.04706296296296325, 0.0, 0.8069777777777778, -0.04691346963516049, 0.009167236467236585, 0.0,
+  0.8058153846153847, -0.04691346963516049, -0.023477777777777733, 0.0, 0.7972,
+  -0.04691346963516049, -0.1015384615384618, 0.0, 0.7043428571428572, -0.04691346963516049,
+  -0.34417582417582393, 0.0, 0.73, -0.055815214229546536, 0.06493703703703776, 0.0,
+  0.7346666666666667, -0.055815214229546536, 0.04706296296296325, 0.0, 0.7397777777777778,
+  -0.055815214229546536, 0.009167236467236585, 0.0, 0.7386153846153847, -0.055815214229546536,
+  -0.023477777777777733, 0.0, 0.73, -0.055815214229546536, -0.1015384615384618, 0.0,
+  0.6371428571428571, -0.055815214229546536, -0.34417582417582393, 0.0
+};
+/* of each cell */
+static const double unequal_pair_restitution_errors[25] = {
+  0.00326625, 0.00326625, 0.00326625, 0.00326625, 0.00326625, 0.003275, 0.003275, 0.003275,
+  0.003275, 0.003275, 0.0033125000000000003, 0.0033125000000000003, 0.0033125000000000003,
+  0.0033125000000000003, 0.0033125000000000003, 0.0033250000000000003, 0.0033250000000000003,
+  0.0033250000000000003, 0.0033250000000000003, 0.0033250000000000003, 0.0034999999999999996,
+  0.0034999999999999996, 0.0034999999999999996, 0.0034999999999999996, 0.0034999999999999996
+};
 
-/* Of as many intervals between places x, that in which another one lies. */
-UNEQUAL_PAIR_FUNCTION int unequal_pair_interval(const double *x, const int *first, int intervals, double bins, double at)
+/* The interval k of places x in which another one lies, and in it the weights of the cubic a + w0(b - a) + w1 a' - w2 b'
+ * of values a, b and slopes a', b' at its ends. */
+UNEQUAL_PAIR_FUNCTION int unequal_pair_weigh(const double *x, const int *first, int last, double bins, double at, double *w)
 {
-  int k = UNEQUAL_PAIR_INDEX((at - x[0]) * bins);
+  double h, t, u;
+  int k;
+  k = UNEQUAL_PAIR_INDEX((at - x[0]) * bins);
   if (k < 0) k = 0;
-  if (k > intervals) k = intervals;
+  if (k > last) k = last;
   k = first[k];
-  while (k + 1 < intervals && at >= x[k + 1]) ++k;
+  while (k + 1 < last && at >= x[k + 1]) ++k;
+  h = x[k + 1] - x[k];
+  t = (at - x[k]) / h;
+  u = 1.0 - t;
+  w[0] = t * t * (1.0 + 2.0 * u);
+  w[1] = h * t * u * u;
+  w[2] = h * t * u * t;
   return k;
 }
 
-/* Ratios by their difference over their sum, which changes its sign with the inverse. */
-UNEQUAL_PAIR_FUNCTION double unequal_pair_place(double ratio)
+UNEQUAL_PAIR_FUNCTION double unequal_pair_sum_1(const double *a, int next, const double *w)
 {
-  const double s = (ratio - 1.0) / (ratio + 1.0);
-  return s;
+  const double *b = a + next;
+  return a[0] + w[0] * (b[0] - a[0]) + w[1] * a[1] - w[2] * b[1];
 }
 
-UNEQUAL_PAIR_FUNCTION int unequal_pair_holds(double v, double ratio)
+UNEQUAL_PAIR_FUNCTION double unequal_pair_sum_2(const double *a, int next, int line, const double *w, const double *y)
 {
-  const double s = unequal_pair_place(ratio);
-  return v >= UNEQUAL_PAIR_SLOWEST && v <= UNEQUAL_PAIR_FASTEST && ratio > 0.0 && s >= -0.3333333333333343 && s <= 0.750000000000001;
+  const double *b = a + line;
+  const double begin = unequal_pair_sum_1(a, next, w), end = unequal_pair_sum_1(b, next, w);
+  return begin + y[0] * (end - begin) + y[1] * unequal_pair_sum_1(a + 2, next, w) - y[2] * unequal_pair_sum_1(b + 2, next, w);
 }
 
-UNEQUAL_PAIR_FUNCTION double unequal_pair_within(double v, double s)
+UNEQUAL_PAIR_FUNCTION void unequal_pair_look_up(double x, double z, double p, double *found)
 {
-  const double x = log(v);
-  const int k = unequal_pair_interval(unequal_pair_speeds, unequal_pair_first_speeds, 5, 1.66904100347667, x);
-  const int j = unequal_pair_interval(unequal_pair_ratios, unequal_pair_first_ratios, 5, 4.615384615384616, s);
-  const double (*a)[4] = unequal_pair_nodes + k * (5 + 1) + j;
-  const double (*b)[4] = a + 5 + 1;
-  const double h = unequal_pair_speeds[k + 1] - unequal_pair_speeds[k];
-  const double g = unequal_pair_ratios[j + 1] - unequal_pair_ratios[j];
-  const double t = (x - unequal_pair_speeds[k]) / h, u = 1.0 - t;
-  const double p = (s - unequal_pair_ratios[j]) / g, q = 1.0 - p;
-  const double a0 = (1.0 + 2.0 * t) * u * u, b0 = t * t * (1.0 + 2.0 * u), a1 = h * t * u * u, b1 = -h * t * t * u;
-  const double left = a0 * a[0][0] + b0 * b[0][0] + a1 * a[0][1] + b1 * b[0][1];
-  const double right = a0 * a[1][0] + b0 * b[1][0] + a1 * a[1][1] + b1 * b[1][1];
-  const double from = a0 * a[0][2] + b0 * b[0][2] + a1 * a[0][3] + b1 * b[0][3];
-  const double to = a0 * a[1][2] + b0 * b[1][2] + a1 * a[1][3] + b1 * b[1][3];
-  return left * (1.0 + 2.0 * p) * q * q + right * p * p * (1.0 + 2.0 * q) + g * p * q * (from * q - to * p);
+  double w[2][3];
+  int k[2];
+  k[0] = unequal_pair_weigh(unequal_pair_restitution_speeds, unequal_pair_restitution_speeds_first, 5, 1.66904100347667, x, w[0]);
+  k[1] = unequal_pair_weigh(unequal_pair_restitution_ratios, unequal_pair_restitution_ratios_first, 5, 4.615384615384616, p, w[1]);
+  found[0] = unequal_pair_sum_2(unequal_pair_restitution_nodes + (k[0] * 24 + k[1] * 4), 24, 4, w[0], w[1]);
+  found[1] = unequal_pair_restitution_errors[k[0] * 5 + k[1] * 1];
+  (void)z;
+  (void)p;
+}
+
+/* Restitution and its error; what is not a number where the table says nothing. */
+UNEQUAL_PAIR_FUNCTION void unequal_pair_at(double speed, double ratio, double *found)
+{
+  double v = fabs(speed), p = (ratio - 1.0) / (ratio + 1.0);
+  const int inside = v >= UNEQUAL_PAIR_SLOWEST && v <= UNEQUAL_PAIR_FASTEST && p >= -0.3333333333333343 && p <= 0.750000000000001;
+  if (!inside) {
+    found[0] = found[1] = HUGE_VAL - HUGE_VAL;
+    if (!(v >= 0.0) || !(ratio >= 0.0 || ratio < 0.0)) return;
+    found[1] = HUGE_VAL;
+    return;
+  }
+  unequal_pair_look_up(log(v), 0.0, p, found);
+  if (!inside) found[1] = HUGE_VAL;
 }
 
 UNEQUAL_PAIR_FUNCTION double unequal_pair_restitution(double speed, double ratio)
 {
-  double v = fabs(speed), s = unequal_pair_place(ratio);
-  if (unequal_pair_holds(v, ratio)) return unequal_pair_within(v, s);
-  if (!(v >= 0.0)) return v;
-  if (!(ratio >= 0.0 || ratio < 0.0)) return ratio;
-  return HUGE_VAL - HUGE_VAL;
+  double found[2];
+  unequal_pair_at(speed, ratio, found);
+  return found[0];
 }
 
 UNEQUAL_PAIR_FUNCTION double unequal_pair_restitution_error(double speed, double ratio)
 {
-  const double v = fabs(speed), s = unequal_pair_place(ratio);
-  if (!(v >= 0.0)) return v;
-  if (!(ratio >= 0.0 || ratio < 0.0)) return ratio;
-  if (!unequal_pair_holds(v, ratio)) return HUGE_VAL;
-  return unequal_pair_errors[unequal_pair_interval(unequal_pair_speeds, unequal_pair_first_speeds, 5, 1.66904100347667, log(v))]
-                      [unequal_pair_interval(unequal_pair_ratios, unequal_pair_first_ratios, 5, 4.615384615384616, s)];
+  double found[2];
+  unequal_pair_at(speed, ratio, found);
+  return found[1];
 }
 
 #undef UNEQUAL_PAIR_FUNCTION

@@ -455,59 +455,42 @@ static const double stoss_rule_sliding_errors[264] = {
   0.016014578301098984, 0.015447740143534165, 0.015295544798450016, 0.014669471953387848
 };
 
-/* Of as many intervals between places x, that in which another one lies. */
-STOSS_RULE_FUNCTION int stoss_rule_interval(const double *x, const int *first, int intervals, double bins, double at)
-{
-  int k = STOSS_RULE_INDEX((at - x[0]) * bins);
-  if (k < 0) k = 0;
-  if (k > intervals) k = intervals;
-  k = first[k];
-  while (k + 1 < intervals && at >= x[k + 1]) ++k;
-  return k;
-}
-
-/* The interval of places x in which another one lies, and the weights of values and slopes at its ends. */
+/* The interval k of places x in which another one lies, and in it the weights of the cubic a + w0(b - a) + w1 a' - w2 b'
+ * of values a, b and slopes a', b' at its ends. */
 STOSS_RULE_FUNCTION int stoss_rule_weigh(const double *x, const int *first, int last, double bins, double at, double *w)
 {
   double h, t, u;
   int k;
-  if (at < x[0]) at = x[0];
-  if (at > x[last]) at = x[last];
-  k = stoss_rule_interval(x, first, last, bins, at);
+  k = STOSS_RULE_INDEX((at - x[0]) * bins);
+  if (k < 0) k = 0;
+  if (k > last) k = last;
+  k = first[k];
+  while (k + 1 < last && at >= x[k + 1]) ++k;
   h = x[k + 1] - x[k];
   t = (at - x[k]) / h;
   u = 1.0 - t;
-  w[0] = (1.0 + 2.0 * t) * u * u;
-  w[1] = t * t * (1.0 + 2.0 * u);
-  w[2] = h * t * u * u;
-  w[3] = -h * t * t * u;
+  w[0] = t * t * (1.0 + 2.0 * u);
+  w[1] = h * t * u * u;
+  w[2] = h * t * u * t;
   return k;
 }
 
 STOSS_RULE_FUNCTION double stoss_rule_sum_1(const double *a, int next, const double *w)
 {
   const double *b = a + next;
-  return w[0] * a[0] + w[1] * b[0] + w[2] * a[1] + w[3] * b[1];
+  return a[0] + w[0] * (b[0] - a[0]) + w[1] * a[1] - w[2] * b[1];
 }
 
 STOSS_RULE_FUNCTION double stoss_rule_sum_2(const double *a, int next, int line, const double *w, const double *y)
 {
   const double *b = a + line;
-  return y[0] * stoss_rule_sum_1(a, next, w) + y[1] * stoss_rule_sum_1(b, next, w) + y[2] * stoss_rule_sum_1(a + 2, next, w) +
-         y[3] * stoss_rule_sum_1(b + 2, next, w);
-}
-
-STOSS_RULE_FUNCTION double stoss_rule_sum_3(const double *a, int next, int line, int plane, const double *w, const double *y,
-                                    const double *z)
-{
-  const double *b = a + plane;
-  return z[0] * stoss_rule_sum_2(a, next, line, w, y) + z[1] * stoss_rule_sum_2(b, next, line, w, y) +
-         z[2] * stoss_rule_sum_2(a + 4, next, line, w, y) + z[3] * stoss_rule_sum_2(b + 4, next, line, w, y);
+  const double begin = stoss_rule_sum_1(a, next, w), end = stoss_rule_sum_1(b, next, w);
+  return begin + y[0] * (end - begin) + y[1] * stoss_rule_sum_1(a + 2, next, w) - y[2] * stoss_rule_sum_1(b + 2, next, w);
 }
 
 STOSS_RULE_FUNCTION void stoss_rule_look_up(double x, double z, double p, double *found)
 {
-  double w[3][4];
+  double w[3][3];
   int k[3];
   k[0] = stoss_rule_weigh(stoss_rule_restitution_speeds, stoss_rule_restitution_speeds_first, 14, 8.698689083834568, x, w[0]);
   k[1] = stoss_rule_weigh(stoss_rule_sliding_speeds, stoss_rule_sliding_speeds_first, 12, 7.456019214715343, x, w[1]);
@@ -533,6 +516,7 @@ STOSS_RULE_FUNCTION void stoss_rule_at(double speed, double sliding, double fric
   if (!inside) {
     found[1] = found[3] = HUGE_VAL;
     if (v < STOSS_RULE_SLOWEST) v = STOSS_RULE_SLOWEST;
+    if (v > STOSS_RULE_FASTEST) v = STOSS_RULE_FASTEST;
   }
   stoss_rule_look_up(log(v), scale > 0.0 ? (s - limit) / scale : -1.0, p, found);
   if (found[0] < 0.0) found[0] = 0.0;
