@@ -136,8 +136,8 @@ lint: setup ## linters over all sources: ruff, Biome and clang-tidy
 	@cd web && cmp -s package-lock.json node_modules/.installed || \
 		{ npm ci --no-progress && cp package-lock.json node_modules/.installed; }
 	@scripts/lint.sh
-	@cmake --preset asan -B build/lint -DSTOSS_ARCHIVE= -DSTOSS_TEST_ROOMS= -DCMAKE_UNITY_BUILD=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
-	@git ls-files 'src/*.cpp' 'cli/*.cpp' ':!cli/*/windows/*' | xargs -P $(JOBS) -n 4 clang-tidy --quiet --warnings-as-errors='*' -p build/lint
+	@cmake --preset asan -B build/lint -DSTOSS_ARCHIVE= -DSTOSS_TEST_ROOMS= -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
+	@scripts/tidy.sh "$(JOBS)"
 
 install: build ## install to PREFIX (default /usr/local)
 	@scripts/install.sh "$(PREFIX)"

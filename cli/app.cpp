@@ -124,9 +124,9 @@ std::string message_of(const CLI::App& app, const InvalidInput& refusal) {
 }
 
 std::string unknown_words(const CLI::App& app) {
-  const auto unknown = app.remaining(true);
-  if (unknown.empty()) return {};
-  const std::string word = unknown.front().substr(0, unknown.front().find('='));
+  const auto left = app.remaining(true);
+  if (left.empty()) return {};
+  const std::string word = left.front().substr(0, left.front().find('='));
   const std::string similar = nearest(word, candidates(app));
   std::string line = "unknown argument: " + shortened(word);
   if (!similar.empty()) return line + fmt::format(", did you mean {}?", similar);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The tests of a tier and of those before it: fast (at every commit), whole (what must hold) or long (before a release:
-# all tests, those with programs of others, all of them under sanitizers, the documentation site, the validation,
-# coverage); or friends, only those with programs of others, of the groups that are named or whose inputs have changed.
+# linters, all tests, those with programs of others, all of them under sanitizers, the documentation site, the
+# validation, coverage); or friends, only those with programs of others, of the groups that are named or whose inputs have changed.
 #   test.sh fast|whole|long [JOBS] | test.sh friends JOBS [--all] [GROUP …]
 set -euo pipefail
 tier=$1
@@ -34,6 +34,11 @@ run() {
 }
 
 friends() { /usr/bin/python3 scripts/friends.py --jobs "$jobs" "$@"; }
+
+if [ "$tier" = long ]; then
+  step "lint: ruff, Biome and clang-tidy"
+  try make --no-print-directory lint JOBS="$jobs"
+fi
 
 # While the library is compiled, what only its tests need is installed.
 scripts/install-dependencies.sh build
@@ -111,9 +116,6 @@ as_documented() {
     diff <(without_times docs/developer/validation.md) <(without_times build/validation.md)
 }
 try as_documented
-
-step "clang-tidy"
-try make --no-print-directory lint JOBS="$jobs"
 
 step "coverage: each file compiled by itself"
 try scripts/coverage.sh "$jobs"

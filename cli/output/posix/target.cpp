@@ -174,7 +174,7 @@ void Target::require_alone(const std::string& added) {
   const int descriptor = fileno(stream());
   struct stat status {};
   if (fstat(descriptor, &status) != 0) cannot_write(path_, errno);
-  std::uintmax_t now = static_cast<std::uintmax_t>(status.st_size);
+  auto now = static_cast<std::uintmax_t>(status.st_size);
   if (now == size_ + added.size()) {
     size_ = now;
     return;

@@ -22,7 +22,7 @@ void add_shear_part(const Continuum& its, double end, int nodes, Piece& piece) {
   const int middle = its.spectrum.steep ? 0 : 1;
   const auto& rule = gauss_legendre(2 * nodes + middle);
   const double length = end - 1.0;
-  for (auto i = static_cast<std::size_t>(nodes + middle); i < rule.node.size(); ++i) {
+  for (auto i = static_cast<std::size_t>(nodes) + static_cast<std::size_t>(middle); i < rule.node.size(); ++i) {
     const double u = rule.node[i], x = 1.0 + length * u * u;
     piece.x.push_back(x);
     piece.weight.push_back(its.density(x) * 2.0 * length * u * rule.weight[i]);

@@ -35,6 +35,7 @@ Body made(const ModalBody& its, double cutoff, const Unevenness& uneven = {});
 /// The bodies with these numbers at the same cutoff, which is in units of their length.
 std::vector<Body> made_all(const std::vector<ModalBody>& all, const ModalBody& its, double cutoff) {
   std::vector<Body> bodies;
+  bodies.reserve(all.size());
   for (const ModalBody& each : all) bodies.push_back(made(each, cutoff * own_length(each) / own_length(its)));
   return bodies;
 }

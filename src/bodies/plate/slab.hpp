@@ -184,7 +184,7 @@ template <typename T>
   T value = 0.0, slope = 0.0;
   for (int n = order; n >= 0; --n) {
     slope = value + y * slope;
-    value = inverse_factorial[static_cast<std::size_t>(2 * n + odd)] + x * value;
+    value = inverse_factorial[2 * static_cast<std::size_t>(n) + static_cast<std::size_t>(odd)] + x * value;
   }
   return {value, slope};
 }

@@ -112,6 +112,7 @@ constexpr double as_deep_as_it_is = std::numeric_limits<double>::infinity();
 
 std::vector<DepthResponse> all_of(const std::vector<Sheets>& parts, const std::vector<double>& depths) {
   std::vector<DepthResponse> all;
+  all.reserve(parts.size());
   for (const Sheets& part : parts) all.emplace_back(part, depths);
   return all;
 }

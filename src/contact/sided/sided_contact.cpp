@@ -98,15 +98,14 @@ Index at(std::size_t i) { return static_cast<Index>(i); }
 
 }  // namespace
 
-SidedContact::SidedContact(SidedCompliance compliance, const EdgeLaw& law, double friction, double ratio,
-                           const Poll& poll)
+SidedContact::SidedContact(SidedCompliance compliance, const EdgeLaw& law, double friction, double ratio, Poll poll)
     : compliance_(std::move(compliance)),
       along_(values(compliance_.yy)),
       sides_(static_cast<std::size_t>(compliance_.xx.rows()) / law.gap.size()),
       law_(on_sides(sides_, law)),
       coefficient_(friction),
       ratio_(ratio),
-      poll_(poll),
+      poll_(std::move(poll)),
       coulomb_(law_.gap.size()),
       anderson_(remembered),
       force_(VectorXd::Zero(compliance_.xx.rows())),

@@ -63,7 +63,7 @@ class SidedContact {
   /// @param compliance of points on both sides, or of rings: of as many as the law has
   /// @param law   of the points of one side, of a force that both sides share
   /// @param ratio local softness along the surface over that along the normal
-  SidedContact(SidedCompliance compliance, const EdgeLaw& law, double friction, double ratio, const Poll& poll);
+  SidedContact(SidedCompliance compliance, const EdgeLaw& law, double friction, double ratio, Poll poll);
 
   /// Solves one step, from the last one.
   /// @param x positions beyond the plane of contact without the forces of this step
