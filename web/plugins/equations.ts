@@ -1,4 +1,4 @@
-// Parts of the page that are made when it is built: included text, equations in KaTeX's HTML, and KaTeX's fonts in use.
+// Parts of the page that are made when it is built: its words, equations in KaTeX's HTML, and KaTeX's fonts in use.
 import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import katex from 'katex';
@@ -23,10 +23,18 @@ export function withoutUnusedFonts(css: string): string {
     .replace(/,url\([^)]*\.(woff|ttf)\) format\("[a-z]*"\)/g, '');
 }
 
-/** The plugin: `<!-- include FILE -->`, `%ICON%` and `%DOCUMENTATION%` in index.html, equations, fonts. The icon is in
- *  the page, since browsers ask for it again whenever the address changes. `documentation` is the address of the
- *  manual, '' for none: then what stands between <!-- documentation --> and its end is left out. */
-export function equations(documentation: string): Plugin {
+/** A text with the words of a table in place of their {{names}}. */
+export function withWords(text: string, words: Readonly<Record<string, string>>): string {
+  return text.replace(/\{\{([\w.]+)\}\}/g, (_, name: string) => {
+    if (words[name] === undefined) throw new Error(`words.json has no “${name}”`);
+    return words[name];
+  });
+}
+
+/** The plugin: {{words}}, `%ICON%` and `%DOCUMENTATION%` in index.html, equations, fonts. The icon is in the page, since
+ *  browsers ask for it again whenever the address changes. `documentation` is the address of the manual, '' for none:
+ *  then what stands between <!-- documentation --> and its end is left out. */
+export function equations(documentation: string, words: Readonly<Record<string, string>>): Plugin {
   return {
     name: 'stoss-equations',
     enforce: 'pre',
@@ -34,8 +42,7 @@ export function equations(documentation: string): Plugin {
       order: 'pre',
       handler(html, { filename }) {
         const folder = resolve(filename, '..');
-        const whole = html.replace(/<!-- include (\S+) -->/g, (_, file: string) =>
-          readFileSync(resolve(folder, file), 'utf8'));
+        const whole = withWords(html.replace('<html lang="en">', '<html lang="{{language}}">'), words);
         const linked = whole.replace(/<!-- documentation -->([\s\S]*?)<!-- end -->/g, (_, text: string) =>
           documentation === '' ? '' : text.replaceAll('%DOCUMENTATION%', documentation));
         const icon = encodeURIComponent(readFileSync(resolve(folder, 'src/icon.svg'), 'utf8'));

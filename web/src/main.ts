@@ -7,8 +7,9 @@ import { createModeBars } from './charts/mode_bars';
 import { modelPoints } from './charts/model_picture';
 import { createTimeCharts } from './charts/time_charts';
 import { createCore } from './core/client';
-import type { Encounter, Motion, Restitution } from './core/protocol';
+import type { Core, Encounter, Motion, Restitution } from './core/protocol';
 import { find, messageOf } from './drawing/dom';
+import { say } from './drawing/words';
 import { fromAddress } from './inputs/address';
 import { refusal } from './inputs/check';
 import { equal, meetingOf, meetsBody } from './inputs/document';
@@ -20,19 +21,19 @@ import { createControls } from './page/controls';
 import { showKept } from './page/kept_view';
 import { createPredictionView, isPredicted } from './page/prediction_view';
 import { createResults } from './page/results';
-import { createSession } from './page/session';
+import { createSession, settle } from './page/session';
 import { createShare } from './page/share';
 import { createSound } from './page/sound';
+import { createWorksheet } from './page/worksheet';
 import { createHops } from './scene/hop_film';
 import { createScene } from './scene/scene';
 
 const results = createResults();
-const core = await createCore().catch((error: unknown) => {
-  results.say(`The core could not be loaded: ${messageOf(error)}`);
-  throw error;
-});
-const start = fromAddress(location.search);
-let inputs = start.inputs;
+const loading = createCore();
+/** The core, which can be asked before it is there. */
+const core = (async (...asked: Parameters<Core>) => (await loading)(...asked)) as Core;
+let inputs = fromAddress(location.search).inputs;
+let [ready, touched] = [false, false];
 /** What is computed, or under way; undefined after a failure. */
 let computed: Inputs | undefined;
 
@@ -50,8 +51,22 @@ const pictures = {
 };
 const curves = createCurves(core, showCurves, (line) => results.say(line));
 const predictionView = createPredictionView();
-const predictions = createPredictions(core,
-  { one: predictionView.show, curve: showCurves, failed: predictionView.fail });
+const worksheet = createWorksheet();
+const predictions = createPredictions(core, {
+  one(encounter, prediction) {
+    runFilm();
+    predictionView.show(encounter, prediction);
+    worksheet.show(inputs, prediction);
+    markFirstValue();
+  },
+  curve: showCurves,
+  failed(line) {
+    runFilm();
+    predictionView.fail(line);
+  },
+});
+/** Asks for what a real ball shows besides its prediction, once. */
+let runFilm = (): void => undefined;
 const angles = createAngles(core, angleChart.setPoints, (line) => results.say(line));
 const share = createShare(core, curves.of, pictures);
 const writeAddress = createAddressBar((next, problem) => {
@@ -60,24 +75,30 @@ const writeAddress = createAddressBar((next, problem) => {
   compute(next);
 });
 const controls = createControls(inputs, {
-  changed: (next, settled) => take({ ...next, kept: inputs.kept }, settled),
-  wrong: () => results.stale('wrong'),
+  changed(next, settled) {
+    touched = true;
+    take({ ...next, kept: inputs.kept }, settled);
+  },
+  wrong() {
+    touched = true;
+    results.stale('wrong');
+    worksheet.wait();
+  },
 });
 
 const run = createSession(core, {
-  began() {
-    results.stale('computing');
-    document.body.dataset.impact = 'old';
-  },
+  began,
   first(encounter, result, motion) {
     results.show(encounter, result, 'first');
     showPoint(result, motion);
+    if (inputs.view !== 'ball') markFirstValue();
   },
   final(encounter, result, motion) {
     results.show(encounter, result, 'final');
     showPoint(result, motion);
     if (motion.friction !== 0) void angles(encounter, motion);
     if (hasHops(encounter, motion)) void hops(encounter, motion);
+    if (inputs.view === 'ball') return;
     curves.want([encounter, ...inputs.kept]);
     if (isPredicted({ encounter, ...motion })) {
       void predictions.want(encounter, motion.speed, curves.of(encounter).planned);
@@ -127,6 +148,7 @@ function take(next: Inputs, settled: boolean): void {
 function compute(next: Inputs): void {
   const before = computed;
   inputs = next;
+  if (!ready) return;
   computed = next;
   share(inputs);
   const motion = motionOf(inputs);
@@ -141,8 +163,25 @@ function compute(next: Inputs): void {
   const same = before !== undefined && equal(before.encounter, next.encounter) && before.friction === next.friction;
   if (!same) showCurves();
   predictions.stop();
-  predictionView.begin({ ...next, ...motion });
-  run(next.encounter, motion);
+  worksheet.wait();
+  const isBall = next.view === 'ball';
+  predictionView.begin({ ...next, friction: isBall ? 0 : motion.friction });
+  if (!isBall) {
+    run(next.encounter, motion);
+    return;
+  }
+  began();
+  runFilm = () => {
+    runFilm = () => undefined;
+    run(next.encounter, motion);
+  };
+  void predictions.want(next.encounter, next.speed, [], before ? settle : 0);
+}
+
+/** What is shown belongs to earlier inputs. */
+function began(): void {
+  results.stale('computing');
+  document.body.dataset.impact = 'old';
 }
 
 function showPoint({ quantities, speed }: Restitution, { angle }: Motion): void {
@@ -173,5 +212,22 @@ series.addEventListener('change', () => {
   problem.hidden = problem.textContent === '';
 });
 
-results.say(start.problem);
-compute(inputs);
+/** Says in the browser's timeline when the first value was there. */
+function markFirstValue(): void {
+  if (performance.getEntriesByName('first-value').length === 0) performance.mark('first-value');
+}
+
+find('prediction', HTMLElement).hidden = inputs.view !== 'ball';
+loading.then(() => {
+  ready = true;
+  performance.mark('core');
+  for (const control of document.querySelectorAll<HTMLInputElement>('[data-waits]')) control.disabled = false;
+  if (touched) {
+    controls.check();
+    return;
+  }
+  const start = fromAddress(location.search);
+  controls.show(start.inputs);
+  results.say(start.problem);
+  compute(start.inputs);
+}, (error: unknown) => results.say(say('page.no_core', { why: messageOf(error) })));

@@ -6,21 +6,22 @@ import type { AnglePoint } from '../core/protocol';
 import { withError, written } from '../drawing/numbers';
 import { type Drawn, draw, drawLegend } from '../drawing/plot';
 import { look, type Theme } from '../drawing/theme';
+import { type Word, say } from '../drawing/words';
 import { currentMarks, pointMarks } from './curve_picture';
 import { barOf } from './model_picture';
 import { createPicker } from './picker';
 
 /** What is drawn of a point, with its error. */
-const CURVES: { label: string; of: (point: AnglePoint) => [value: number, error: number] }[] = [
-  { label: 'εₜ along the surface', of: (point) => [point.tangential, point.tangentialError] },
-  { label: 'ε along the normal', of: (point) => [point.restitution, point.error] },
+const CURVES: { label: Word; of: (point: AnglePoint) => [value: number, error: number] }[] = [
+  { label: 'angle.tangential', of: (point) => [point.tangential, point.tangentialError] },
+  { label: 'angle.normal', of: (point) => [point.restitution, point.error] },
 ];
 
 const UNKNOWN = 0.5; // the error of ε_t where hardly anything slides
 
 function inWords(point: AnglePoint): string {
   const [tangential, normal] = CURVES.map(({ of }) => withError(...of(point)));
-  return `${written(point.angle, 3)}°: εₜ = ${tangential}, ε = ${normal}`;
+  return say('angle.point', { angle: written(point.angle, 3), tangential: tangential!, normal: normal! });
 }
 
 /** Makes an empty chart in an element; `pick` gets an angle that a reader has picked. */
@@ -32,8 +33,8 @@ export function createAngleChart(host: HTMLElement, pick: (angle: number) => voi
     return { low: both ? -90 : 0, high: 90, log: false, at: current?.angle, step: 1 };
   };
   const { update, picture } = createPicker(host, {
-    title: 'ε and εₜ against the angle',
-    label: 'Angle, picked on the chart of ε and εₜ',
+    title: say('angle.picture'),
+    label: say('angle.pick'),
     words: () => (current ? inWords(current) : ''),
     draw: drawAngles,
     axis,
@@ -55,10 +56,10 @@ export function createAngleChart(host: HTMLElement, pick: (angle: number) => voi
       CURVES.map(({ of }) => barOf('restitution', ...of(current!))), y, theme);
     const chart = draw({
       width, height: Math.min(340, Math.max(220, 0.5 * width)),
-      x: { ...axis(), label: 'angle from the normal, degrees' }, y: { ...y, label: 'coefficients of restitution' },
+      x: { ...axis(), label: say('angle.axis') }, y: { ...y, label: say('angle.ordinate') },
       marks: [Plot.ruleY([0], { stroke: theme.muted }), ...marks, ...(here ?? [])],
     }, theme);
-    return [chart, drawLegend(CURVES.map(({ label }, n) => ({ label, ...look(n, theme) })), width, theme)];
+    return [chart, drawLegend(CURVES.map(({ label }, n) => ({ label: say(label), ...look(n, theme) })), width, theme)];
   }
 
   return {

@@ -3,6 +3,7 @@
 import { least } from 'd3-array';
 import { html } from 'lit-html';
 import { rounded, withError, written } from '../drawing/numbers';
+import { say } from '../drawing/words';
 import { description } from '../inputs/lines';
 import { drawCurves, speedUnitOf, speedsOf, type Curve, type CurveContent } from './curve_picture';
 import { type ModelPoint, modelInWords } from './model_picture';
@@ -14,8 +15,8 @@ type Current = NonNullable<CurveContent['current']>;
 export function createCurveChart(host: HTMLElement, pick: (speed: number) => void) {
   const content: CurveContent = { curves: [], current: undefined, ordinate: 'restitution', model: [] };
   const { update, picture } = createPicker(host, {
-    title: 'ε against the speed',
-    label: 'Speed, picked on the chart of ε',
+    title: say('curve.picture'),
+    label: say('curve.pick'),
     words: now,
     draw: (width, theme) => drawCurves(content, width, theme),
     axis: () => ({ ...speedsOf(content), at: content.current?.speed }),
@@ -26,7 +27,7 @@ export function createCurveChart(host: HTMLElement, pick: (speed: number) => voi
         content.ordinate = (event.target as HTMLInputElement).checked ? 'loss' : 'restitution';
         draw();
       };
-      return html`<label><input type="checkbox" @change=${choose} />Show the loss 1 − ε², logarithmic</label>`;
+      return html`<label><input type="checkbox" @change=${choose} />${say('curve.loss')}</label>`;
     },
   }, pick);
 
@@ -36,12 +37,12 @@ export function createCurveChart(host: HTMLElement, pick: (speed: number) => voi
 
   function inWords({ speed, restitution, error }: Current): string {
     const unit = speedUnitOf(content);
-    return `v = ${written(speed, 3)} ${unit}: ε = ${withError(restitution, error)}`;
+    return say('curve.point', { speed: `${written(speed, 3)} ${unit}`, epsilon: withError(restitution, error) });
   }
 
   function toCome(): string {
     const left = content.curves.reduce((sum, { planned, points }) => sum + planned.length - points.length, 0);
-    return left > 0 ? `${left} ${left === 1 ? 'speed is' : 'speeds are'} still to come` : '';
+    return left > 0 ? say(left === 1 ? 'curve.one_left' : 'curve.left', { left }) : '';
   }
 
   /** The points nearest to a speed, by the logarithm. */

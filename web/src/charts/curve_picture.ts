@@ -4,6 +4,7 @@ import { extent } from 'd3-array';
 import type { CurvePoint, Encounter } from '../core/protocol';
 import { type Drawn, type Scale, draw, drawLegend } from '../drawing/plot';
 import { type Look, type Theme, look } from '../drawing/theme';
+import { say } from '../drawing/words';
 import { meetingOf } from '../inputs/document';
 import { description } from '../inputs/lines';
 import { type Bar, type ModelPoint, type Ordinate, barOf, endsOfSpread, modelLook, modelMarks } from './model_picture';
@@ -78,8 +79,8 @@ export function drawCurves(content: CurveContent, width: number, theme: Theme): 
   const height = Math.min(340, Math.max(220, 0.5 * width));
   const chart = draw({
     width, height,
-    x: { ...x, label: 'speed of the impact v', unit },
-    y: { ...y, label: ordinate === 'restitution' ? 'coefficient of restitution ε' : 'lost share of energy 1 − ε²' },
+    x: { ...x, label: say('curve.speed'), unit },
+    y: { ...y, label: say(ordinate === 'restitution' ? 'curve.restitution' : 'curve.lost') },
     marks: [
       ...modelMarks(model, y, ordinate, theme),
       ...curves.flatMap(({ points, planned }, n) => {

@@ -9,23 +9,23 @@ import { withUnit, written } from '../drawing/numbers';
 import { chartIn } from '../drawing/pictures';
 import { type Drawn, BESIDE, stacked } from '../drawing/plot';
 import { readTheme } from '../drawing/theme';
+import { say } from '../drawing/words';
 import { equal, meetingOf, meetsBody } from '../inputs/document';
 import { isBlock } from '../inputs/kinds';
 import { evenGrid } from '../scene/grid';
 import { partsOf } from '../scene/parts';
 import {
-  type ModeBar, type ModeLayout, type When, drawModes, energyOfWaves, layoutModes, MODE_LABELS, swingShape,
+  type ModeBar, type ModeLayout, type When, drawModes, energyOfWaves, layoutModes, swingShape,
 } from './mode_picture';
 
 const PITCH = 17; // pixels of a bar, at least
 const SMALLEST = 24; // height of what is pressed
 const MOST = 40;
 const SHAPE = 168;
-const TITLE = 'Energy of the modes';
 
-const WHEN: [When, string][] = [['after', MODE_LABELS.after], ['average', MODE_LABELS.average]];
-const AXES: [boolean, string][] = [[true, 'logarithmic'], [false, 'linear']];
-const BODIES: [0 | 1, string][] = [[0, 'first'], [1, 'second']];
+const WHEN: [When, string][] = [['after', say('modes.after')], ['average', say('modes.average')]];
+const AXES: [boolean, string][] = [[true, say('modes.logarithmic')], [false, say('modes.linear')]];
+const BODIES: [0 | 1, string][] = [[0, say('modes.first')], [1, say('modes.second')]];
 
 /** Makes an empty chart in an element. */
 export function createModeBars(host: HTMLElement, core: Core) {
@@ -41,7 +41,7 @@ export function createModeBars(host: HTMLElement, core: Core) {
   tell();
   const chart = host.querySelector<HTMLElement>('.mode-bars-chart')!;
   const canvas = host.querySelector('canvas')!;
-  const { update, picture } = chartIn(chart, TITLE, (width, theme, leaving) => {
+  const { update, picture } = chartIn(chart, say('modes.picture'), (width, theme, leaving) => {
     if (!now) return [];
     const count = Math.max(6, Math.min(MOST, Math.floor((width - BESIDE) / PITCH)));
     const its = layoutModes(now.collision.modes, chosen.body, chosen.when, count);
@@ -49,7 +49,7 @@ export function createModeBars(host: HTMLElement, core: Core) {
     return drawModes(its, chosen.log, chosen.when, width, theme);
   }, (parts) => {
     axes = parts[0];
-    shown = stacked(parts, TITLE);
+    shown = stacked(parts, say('modes.picture'));
     swinging = '';
     choose(bar() ?? greatest(layout.bars, (each) => each.energy));
   });
@@ -72,14 +72,14 @@ export function createModeBars(host: HTMLElement, core: Core) {
     render(html`
       <div class="chart">
         <div class="chart-options">
-          ${choice('Energy', WHEN, chosen.when, (when) => set({ when }))}
-          ${choice('Axis', AXES, chosen.log, (log) => set({ log }))}
-          ${choice('Body', BODIES, chosen.body, (body) => set({ body }), !isPair())}
+          ${choice(say('modes.energy'), WHEN, chosen.when, (when) => set({ when }))}
+          ${choice(say('modes.axis'), AXES, chosen.log, (log) => set({ log }))}
+          ${choice(say('form.body'), BODIES, chosen.body, (body) => set({ body }), !isPair())}
         </div>
         <div class="mode-bars">
           <div class="mode-bars-chart">
             <div class="chart-area" aria-hidden="true">${shown}</div>
-            <div role="group" aria-label="Modes with the most energy: arrows move between them" @keydown=${onKey}>
+            <div role="group" aria-label=${say('modes.arrows')} @keydown=${onKey}>
               ${repeat(layout.bars, nameOf, (each) => html`
                 <button type="button" class="mode-bar" aria-label=${wordsOf(each)} aria-pressed=${each === its}
                   tabindex=${each === its ? 0 : -1} style=${boxOf(each)} @click=${() => choose(each)}
@@ -106,10 +106,10 @@ export function createModeBars(host: HTMLElement, core: Core) {
 
   function noteOf({ encounter, collision }: NonNullable<typeof now>): string {
     return [
-      layout.bars.length ? '' : 'No mode of this body has energy.',
-      layout.omitted ? `${layout.omitted} more modes hold ${percent(layout.rest)} together.` : '',
+      layout.bars.length ? '' : say('modes.none'),
+      layout.omitted ? say('modes.more', { count: layout.omitted, share: percent(layout.rest) }) : '',
       isBlock(meetingOf(encounter).against) && chosen.when === 'after'
-        ? `The waves in the body it meets hold ${percent(energyOfWaves(collision))}.` : '',
+        ? say('modes.waves', { share: percent(energyOfWaves(collision)) }) : '',
     ].filter(Boolean).join(' ');
   }
 
@@ -142,8 +142,7 @@ export function createModeBars(host: HTMLElement, core: Core) {
 
   function wordsOf({ mode: { order, index, omega }, energy }: ModeBar): string {
     const frequency = frequencyInWords(omega, now!.encounter);
-    const share = `${percent(energy)} of the energy, ${MODE_LABELS[chosen.when]}`;
-    return `Mode (n, l) = (${order}, ${index}), ${frequency}: ${share}`;
+    return say('modes.mode', { order, index, frequency, share: percent(energy), when: say(`modes.${chosen.when}`) });
   }
 
   function onKey(event: KeyboardEvent): void {

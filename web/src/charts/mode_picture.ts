@@ -5,6 +5,7 @@ import type { Collision, ModeEnergy, Shape } from '../core/protocol';
 import { fitCanvas } from '../drawing/canvas';
 import { type Drawn, type Scale, BESIDE, draw, drawLegend } from '../drawing/plot';
 import { type Theme, look, motionIsReduced } from '../drawing/theme';
+import { say } from '../drawing/words';
 import { follow } from '../scene/bodies';
 import { type Line, type Part, edgeOf, meshOf } from '../scene/parts';
 
@@ -65,10 +66,6 @@ function drawShape(canvas: HTMLCanvasElement, size: number, part: Part, shape: S
 }
 
 export type When = 'after' | 'average';
-
-export const MODE_LABELS: Record<When, string> = {
-  after: 'after the impact', average: 'mean during contact',
-};
 
 export interface ModeBar {
   mode: ModeEnergy;
@@ -131,7 +128,7 @@ export function energyScale(layout: ModeLayout, log: boolean): Scale {
 export function drawModes(layout: ModeLayout, log: boolean, when: When, width: number, theme: Theme): [Drawn, Drawn] {
   const y = energyScale(layout, log);
   const alone = layout.groups.length === 1;
-  const label = alone ? `overtone l of the order n = ${layout.groups[0]!.order}` : 'order n';
+  const label = alone ? say('modes.overtone', { order: layout.groups[0]!.order }) : say('modes.order');
   const color = (index: number): string => (index < COLORED ? look(index, theme).color : theme.muted);
   const names = spaced(alone
     ? layout.bars.map(({ mode, left, width: wide }) => ({ order: mode.index, center: left + 0.5 * wide }))
@@ -139,7 +136,7 @@ export function drawModes(layout: ModeLayout, log: boolean, when: When, width: n
   const chart = draw({
     width, height: HEIGHT,
     x: { low: 0, high: 1, log: false, label },
-    y: { ...y, label: `share of the energy, ${MODE_LABELS[when]}` },
+    y: { ...y, label: say('modes.share', { when: say(`modes.${when}`) }) },
     ticks: {
       places: names.map(({ center }) => center),
       words: (place) => String(names.find(({ center }) => center === place)?.order ?? ''),

@@ -5,6 +5,7 @@ import type { Prediction } from '../core/protocol';
 import { bandInWords, withError, written } from '../drawing/numbers';
 import type { Scale } from '../drawing/plot';
 import type { Theme } from '../drawing/theme';
+import { say } from '../drawing/words';
 
 /** What is drawn of a speed: ε, or the lost share of the energy 1 − ε². */
 export type Ordinate = 'restitution' | 'loss';
@@ -45,7 +46,7 @@ export function modelPoints(predictions: readonly Prediction[]): ModelPoint[] {
 
 /** Its line, and that of the legend. */
 export function modelLook(theme: Theme): { label: string; color: string; dash: number[] } {
-  return { label: 'model, and spread of models', color: theme.text, dash: [9, 4] };
+  return { label: say('model.legend'), color: theme.text, dash: [9, 4] };
 }
 
 /** The ends of the spread, as values that the vertical axis must hold. */
@@ -73,8 +74,8 @@ export function modelMarks(
 }
 
 export function modelInWords({ speed, restitution, error, low, high }: ModelPoint): string {
-  const begin = `model, v = ${written(speed, 3)} m/s: ε = `;
-  if (!(high > low)) return begin + withError(restitution, error);
+  const at = written(speed, 3);
+  if (!(high > low)) return say('model.point', { speed: at, epsilon: withError(restitution, error) });
   const { value, band } = bandInWords(restitution, low, high);
-  return `${begin}${value}, models ${band}`;
+  return say('model.spread', { speed: at, epsilon: value, band });
 }

@@ -5,6 +5,7 @@ import { keyed } from '../drawing/dom';
 import { chartIn } from '../drawing/pictures';
 import { type Drawn, stacked } from '../drawing/plot';
 import type { Theme } from '../drawing/theme';
+import { say } from '../drawing/words';
 
 const STEPS = 100; // of the keyboard along the axis
 
@@ -39,7 +40,7 @@ export function createPicker(host: HTMLElement, of: Pickable, pick: (place: numb
 
   /** Brings all but the picture up to date. */
   function tell(): void {
-    const { low, high, at = low } = of.axis();
+    const { at, first, last } = along();
     const point = (event?: MouseEvent): void => {
       pointed = event && placeOf(event);
       tell();
@@ -47,8 +48,8 @@ export function createPicker(host: HTMLElement, of: Pickable, pick: (place: numb
     render(html`
       <div class="chart curve-chart">
         ${of.options ? html`<div class="chart-options">${of.options(update)}</div>` : nothing}
-        <div class="chart-area" tabindex="0" role="slider" aria-label=${of.label} aria-valuemin=${low}
-          aria-valuemax=${high} aria-valuenow=${at} aria-valuetext=${of.words() || 'none'}
+        <div class="chart-area" tabindex="0" role="slider" aria-label=${of.label} aria-valuemin="0"
+          aria-valuemax=${STEPS} aria-valuenow=${Math.round((STEPS * (at - first)) / (last - first))} aria-valuetext=${of.words() || say('curve.none')}
           @click=${(event: MouseEvent) => pick(placeOf(event))} @pointermove=${point}
           @pointerleave=${() => point()} @keydown=${onKey}>${shown}</div>
         <p class="chart-note">${of.note(pointed)}</p>
@@ -61,13 +62,17 @@ export function createPicker(host: HTMLElement, of: Pickable, pick: (place: numb
     return of.rounded(Math.min(high, Math.max(low, chart?.scale('x')?.invert?.(place) ?? low)));
   }
 
-  function onKey(event: KeyboardEvent): void {
+  /** The axis as it is drawn, with its middle for a place that is not on it; and what makes a place of one along it. */
+  function along() {
     const { low, high, log, at, step } = of.axis();
     const [on, off] = log ? [Math.log, Math.exp] : [Number, Number];
     const [first, last] = [on(low), on(high)];
-    const from = at === undefined ? 0.5 * (first + last) : on(at);
-    const to = keyed(event, { at: from, first, last, step: step ?? (last - first) / STEPS });
-    if (to !== undefined) pick(of.rounded(off(to)));
+    return { at: at === undefined ? 0.5 * (first + last) : on(at), first, last, step: step ?? (last - first) / STEPS, off };
+  }
+
+  function onKey(event: KeyboardEvent): void {
+    const to = keyed(event, along());
+    if (to !== undefined) pick(of.rounded(along().off(to)));
   }
 
   return { update: updateSoon, picture };

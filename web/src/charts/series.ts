@@ -6,6 +6,7 @@ import type { Collision, Course, ObliqueCollision } from '../core/protocol';
 import { interpolate, withUnit, written } from '../drawing/numbers';
 import { type Axis, type Drawn, draw, unitAlong } from '../drawing/plot';
 import { look, type Theme } from '../drawing/theme';
+import { type Word, say } from '../drawing/words';
 
 export interface Series {
   label: string;
@@ -27,29 +28,30 @@ function panel(label: string, unit: string, series: Series[]): Panel {
   return { label, unit, series, log: false, low: low < 0 ? low - PAD * span : 0, high: low + (1 + PAD) * span };
 }
 
-const seriesOf = <Its extends object>(its: Its, labels: { [Name in keyof Its]?: string }): Series[] =>
-  (Object.entries(labels) as [keyof Its, string][]).map(([name, label]) => ({ label, values: its[name] as Float64Array }));
+const seriesOf = <Its extends object>(its: Its, labels: { [Name in keyof Its]?: Word }): Series[] =>
+  (Object.entries(labels) as [keyof Its, Word][]).map(([name, label]) =>
+    ({ label: say(label), values: its[name] as Float64Array }));
 
 /** Force, velocity and energies. Of the energies those that are never there are left out. */
 export function panelsOf(collision: Collision | ObliqueCollision): Panel[] {
   const [forces, velocities, energies] = 'across' in collision ? [
-    seriesOf(collision, { force: 'along the normal', friction: 'friction' }),
-    seriesOf(collision, { velocity: 'along the normal', tangential: 'along the surface' }),
+    seriesOf(collision, { force: 'time.normal', friction: 'time.friction' }),
+    seriesOf(collision, { velocity: 'time.normal', tangential: 'time.surface' }),
     seriesOf(collision, {
-      translation: 'motion along the normal', across: 'motion along the surface', rotation: 'rotation',
-      second_rotation: 'rotation of what it meets', elastic: 'in the elastic bodies', friction_loss: 'heat of friction',
+      translation: 'time.along_normal', across: 'time.along_surface', rotation: 'time.rotation',
+      second_rotation: 'time.second_rotation', elastic: 'time.elastic', friction_loss: 'time.friction_loss',
     }),
   ] as const : [
-    seriesOf(collision, { force: 'force' }), seriesOf(collision, { velocity: 'velocity' }),
+    seriesOf(collision, { force: 'time.force_line' }), seriesOf(collision, { velocity: 'time.velocity_line' }),
     seriesOf(collision, {
-      translation: 'translation', vibration: 'vibration', stored: 'stored at the contact', dissipated: 'dissipated',
-      unresolved: 'elastic energy of the contact',
+      translation: 'time.translation', vibration: 'time.vibration', stored: 'time.stored', dissipated: 'time.dissipated',
+      unresolved: 'time.unresolved',
     }),
   ] as const;
   const { units } = collision;
   return [
-    panel('Force', units.force, forces), panel('Velocity', units.velocity, velocities),
-    panel('Share of the energy', '',
+    panel(say('time.force'), units.force, forces), panel(say('time.velocity'), units.velocity, velocities),
+    panel(say('time.energy'), '',
       energies.filter(({ values }, n) => n === 0 || values.some((each) => Math.abs(each) > NOTHING))),
   ];
 }
@@ -61,7 +63,7 @@ export function drawPanel(
 ): Drawn {
   return draw({
     width, height, bottom: lowest, top: named, y: panel,
-    x: { low: time[0] ?? 0, high: time.at(-1) ?? 1, log: false, label: 'time since first contact', unit: units.time },
+    x: { low: time[0] ?? 0, high: time.at(-1) ?? 1, log: false, label: say('time.axis'), unit: units.time },
     marks: panel.series.map(({ values }, k) => {
       const { color, dash } = look(k, theme);
       const thin = thinned(time, values, width);
@@ -94,7 +96,7 @@ export function valueWords(collision: Course, panel: Panel, series: Series, time
 export function cursorWords(collision: Course, panels: Panel[], time: number): string {
   const values = panels.flatMap((panel) => panel.series.map((each) =>
     `${each.label} ${valueWords(collision, panel, each, time)} ${unitAlong(panel).unit}`.trimEnd()));
-  return `time ${withUnit(time, collision.units.time)}: ${values.join(', ')}`;
+  return say('time.cursor', { time: withUnit(time, collision.units.time), values: values.join(', ') });
 }
 
 /** What the charts show as a whole. */
@@ -104,10 +106,11 @@ export function summaryOf(collision: Collision | ObliqueCollision): string {
   const energy = (name: string, values: Float64Array): string => `${written(100 * values.at(-1)!, 3)} % ${name}`;
   const shares = 'across' in collision
     ? panelsOf(collision).at(-1)!.series.map(({ label, values }) => energy(label, values))
-    : [energy('translation', collision.translation), energy('vibration', collision.vibration),
-      ...(collision.dissipated.at(-1)! > 0 ? [energy('dissipated', collision.dissipated)] : [])];
-  return `The force is at its maximum, ${withUnit(force[most]!, units.force)}, ` +
-    `${withUnit(time[most]!, units.time)} after first contact; the last contact is after ` +
-    `${withUnit(collision.end, units.time)}. The velocity goes from ${withUnit(velocity[0]!, units.velocity)} to ` +
-    `${withUnit(velocity.at(-1)!, units.velocity)}. At the end the energy is ${shares.join(', ')}.`;
+    : [energy(say('time.translation'), collision.translation), energy(say('time.vibration'), collision.vibration),
+      ...(collision.dissipated.at(-1)! > 0 ? [energy(say('time.dissipated'), collision.dissipated)] : [])];
+  return say('time.summary', {
+    force: withUnit(force[most]!, units.force), time: withUnit(time[most]!, units.time), shares: shares.join(', '),
+    end: withUnit(collision.end, units.time), before: withUnit(velocity[0]!, units.velocity),
+    after: withUnit(velocity.at(-1)!, units.velocity),
+  });
 }

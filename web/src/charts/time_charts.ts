@@ -6,6 +6,7 @@ import { keyed } from '../drawing/dom';
 import { chartIn } from '../drawing/pictures';
 import { type Drawn, drawLegend, labelOf } from '../drawing/plot';
 import { look, readTheme } from '../drawing/theme';
+import { say } from '../drawing/words';
 import { cursorWords, drawPanel, panelsOf, summaryOf, valueWords, type Panel } from './series';
 
 const HEIGHTS = [90, 90, 160];
@@ -17,7 +18,7 @@ export function createTimeCharts(host: HTMLElement, choose: (time: number) => vo
   let panels: Panel[] = [];
   let charts: Drawn[] = [];
   let cursor = 0;
-  const { update, picture } = chartIn(host, 'Force, velocity and energies in time', (width, theme, leaving) => {
+  const { update, picture } = chartIn(host, say('time.title'), (width, theme, leaving) => {
     if (!collision) return [];
     const drawn = panels.map((panel, n) =>
       drawPanel(collision!, panel, width, HEIGHTS[n]!, n === panels.length - 1, leaving, theme));
@@ -42,8 +43,8 @@ export function createTimeCharts(host: HTMLElement, choose: (time: number) => vo
     const { first, last } = ends();
     render(html`
       <div class="chart time-charts" tabindex="0" role="slider"
-        aria-label="Time in the charts of force, velocity and energies" aria-valuemin=${first} aria-valuemax=${last}
-        aria-valuenow=${cursor} aria-valuetext=${cursorWords(collision, panels, cursor)} @keydown=${onKey}>
+        aria-label=${say('time.pick')} aria-valuemin="0"
+        aria-valuemax=${STEPS} aria-valuenow=${Math.round((STEPS * (cursor - first)) / (last - first))} aria-valuetext=${cursorWords(collision, panels, cursor)} @keydown=${onKey}>
         ${charts.map((drawn, n) => [headOf(panels[n]!), chartOf(drawn)])}
       </div>
       <p class="unseen">${summaryOf(collision)}</p>`, host);

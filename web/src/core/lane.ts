@@ -1,6 +1,7 @@
 // One worker with the calls that wait for it. A call that is aborted ends soon; a worker that dies is replaced.
 import type { CompiledCore } from 'stoss';
 import { type Call, CoreError, type Deliver, type Refusal } from './protocol';
+import { say } from '../drawing/words';
 
 /** The first message is the compiled core; then one call after another. */
 export type ToWorker = { module: CompiledCore } | { call: Call };
@@ -77,7 +78,7 @@ export function createLane(spawn: () => Fellow, module: CompiledCore): Lane {
   /** Waits for the next word of a worker that computes. */
   function listen(): void {
     clearTimeout(clock);
-    if (current) clock = setTimeout(() => lose('it is silent'), 1000 * (heard ? silence : startup));
+    if (current) clock = setTimeout(() => lose(say('core.silent')), 1000 * (heard ? silence : startup));
   }
 
   function take(message: FromWorker): void {
@@ -100,7 +101,7 @@ export function createLane(spawn: () => Fellow, module: CompiledCore): Lane {
     const task = current;
     stop();
     if (task && !task.signal?.aborted) {
-      if (++task.deaths > 1) task.reject(new Error(`worker: the computation broke down twice (${why})`));
+      if (++task.deaths > 1) task.reject(new Error(say('core.broken', { why })));
       else waiting.unshift(task);
     }
     next();

@@ -1,13 +1,15 @@
 // The core in the page's own thread, for what must be known at once: units, and whether numbers are right. All of it
 // throws CoreError with one line for what the core cannot do.
 import type { Ask } from 'stoss';
+import { provisional } from './provisional';
 import { CoreError, type Encounter, type Motion, type Thresholds, type Units } from './protocol';
 
-let core: Ask;
+let core: Ask = provisional;
 
 /** Says which core answers. */
 export function setLocal(made: Ask): void {
   core = made;
+  known.clear();
 }
 
 /** The answers to what was asked last, of which a page asks few again and again. */

@@ -1,5 +1,6 @@
 // Numbers, with their errors and units, as readers know them; and between those of a sampled function.
 import { bisectRight } from 'd3-array';
+import { say } from './words';
 
 const RAISED = '⁰¹²³⁴⁵⁶⁷⁸⁹';
 
@@ -55,7 +56,7 @@ const MOST_DECIMALS = 8;
 /** A value with its error, always with ±: the error has two digits, and the value ends where they end. 0.947060 ±
  *  0.000031, 0.99574253 ± 3.7×10⁻⁷, (3.49794 ± 0.00014)×10⁻¹⁹, 9 ± 5. */
 export function withError(value: number, error: number): string {
-  if (Number.isFinite(value) && !Number.isFinite(error)) return `${significant(value, 6)} ± unknown`;
+  if (Number.isFinite(value) && !Number.isFinite(error)) return `${significant(value, 6)} ± ${say('number.unknown')}`;
   if (error === 0 || !Number.isFinite(value)) return `${significant(value, 12)} ± 0`;
   const size = Math.abs(value);
   const digits = error > ROUGH * size ? 1 : 2;
@@ -76,11 +77,11 @@ export function withError(value: number, error: number): string {
 
 /** A value and the band around it, with the digits that the width of the band is worth: 0.81, 0.70 to 1.00. */
 export function bandInWords(value: number, low: number, high: number): { value: string; band: string } {
-  if (![value, low, high].every(Number.isFinite)) return { value: '–', band: 'unknown' };
+  if (![value, low, high].every(Number.isFinite)) return { value: '–', band: say('number.unknown') };
   const width = high - low;
   const decimals = width > 0 ? Math.min(MOST_DECIMALS, Math.max(2, 1 - Math.floor(Math.log10(width)))) : 2;
   const [shown, from, to] = [value, low, high].map((each) => each.toFixed(decimals));
-  return { value: shown!, band: `${from} to ${to}` };
+  return { value: shown!, band: say('number.range', { from: from!, to: to! }) };
 }
 
 /** A unit as readers know it: πRE for the core's piRE, mc²/R for mc^2/R. */

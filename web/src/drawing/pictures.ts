@@ -2,6 +2,7 @@
 import { onResize } from './dom';
 import { type Drawn, stacked } from './plot';
 import { readTheme, type Theme } from './theme';
+import { say } from './words';
 
 /** What can leave the page: as SVG or as PNG; as PNG only. */
 export type Picture = { svg(): SVGSVGElement } | { canvas(): HTMLCanvasElement };
@@ -22,7 +23,7 @@ export function chartIn(
   const svg = (): SVGSVGElement => {
     const theme = readTheme(host);
     const parts = draw(Math.max(WIDTH, host.clientWidth), theme, true);
-    if (parts.length === 0) throw new Error('there is nothing to draw yet');
+    if (parts.length === 0) throw new Error(say('share.nothing'));
     return stacked(parts, title, theme.background);
   };
   return { update, updateSoon: onResize(host, update), picture: { svg } };
@@ -39,7 +40,7 @@ export function textOf(svg: SVGSVGElement): string {
 export async function pngOf(picture: Picture): Promise<Blob> {
   const canvas = 'canvas' in picture ? picture.canvas() : await canvasOf(picture.svg());
   return new Promise((resolve, reject) => {
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the picture could not be written'))));
+    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error(say('share.unwritten')))));
   });
 }
 
@@ -49,7 +50,7 @@ async function canvasOf(svg: SVGSVGElement): Promise<HTMLCanvasElement> {
     const image = new Image();
     image.src = address;
     await image.decode().catch(() => {
-      throw new Error('the picture could not be drawn');
+      throw new Error(say('share.undrawn'));
     });
     const canvas = document.createElement('canvas');
     canvas.width = Math.round(image.width * SCALE);

@@ -92,7 +92,7 @@ export function draw({ width, height, x, y, ticks, bottom = true, top = true, ma
   const named = ({ places, words }: Ticks): number[] => places.filter((each) => words(each) !== '');
   const line = { stroke: theme.line, strokeOpacity: 1, strokeWidth: 0.7 };
   const numbers = { fill: theme.muted, stroke: theme.muted, strokeWidth: 0.8, label: null };
-  return Plot.plot({
+  return plain(Plot.plot({
     width, height: height + margin.top + margin.bottom,
     marginLeft: margin.left, marginRight: margin.right, marginTop: margin.top, marginBottom: margin.bottom,
     style: { background: 'none', color: theme.text, fontSize: '12px' },
@@ -109,7 +109,13 @@ export function draw({ width, height, x, y, ticks, bottom = true, top = true, ma
       Plot.frame({ anchor: 'bottom', stroke: theme.muted }),
       ...marks,
     ],
-  }) as Drawn;
+  }));
+}
+
+/** A picture without the labels of its marks, which have no role that may have one. */
+function plain(plot: Element): Drawn {
+  for (const each of plot.querySelectorAll('[aria-label]')) each.removeAttribute('aria-label');
+  return plot as Drawn;
 }
 
 /** What is drawn has a colour; a line has a dash, and points have a marker. */
@@ -136,7 +142,7 @@ export function placed(labels: string[], width: number): { x: number; y: number;
 export function drawLegend(entries: Entry[], width: number, theme: Theme): Drawn {
   const places = placed(entries.map(({ label }) => label), width);
   const height = 6 + (max(places, ({ y, rows }) => y + ROW * (rows - 0.5)) ?? 0);
-  return Plot.plot({
+  return plain(Plot.plot({
     width, height, margin: 0, axis: null, x: { type: 'identity' }, y: { type: 'identity' },
     style: { background: 'none', color: theme.text, fontSize: '12px' },
     marks: entries.flatMap(({ label, color, dash, marker: symbol }, k) => {
@@ -152,7 +158,7 @@ export function drawLegend(entries: Entry[], width: number, theme: Theme): Drawn
         }),
       ];
     }),
-  }) as Drawn;
+  }));
 }
 
 /** Charts below each other as one picture with a title, on a ground of its own where it leaves the page. */

@@ -1,21 +1,23 @@
-// All inputs in the address of the page, in short readable keys: ?body=sphere&nu=0.3&v=0.01&against=half-space&nu2=0.2
+// All inputs in the address of the page, in short readable keys: ?body=sphere&nu=0.3&v=0.01&against=half-space&nu2=0.2;
+// those of a real ball by names and a drop height: ?view=ball&material=glass&R=0.008&material2=granite&drop=0.3
 import type { Encounter, Motion } from '../core/protocol';
 import { rounded, shortest } from '../drawing/numbers';
+import { say } from '../drawing/words';
 import { brief, motionProblem, parseNumber, repaired } from './check';
 import {
-  type Body, type Choice, type Side, ball, encounterOf, meetingOf, ofFile, unitBody, withBody,
+  type Body, type Choice, type Side, ball, encounterOf, madeOf, meetingOf, ofFile, unitBody, withBody,
 } from './document';
 import { motionFieldsOf, motions, names } from './fields';
 import { fileNamed, nameOf } from './files';
-import { type Inputs, defaults, mostKept, siSpeed } from './inputs';
-import { type BodyField, type BodyKind, blockOf, blocks, bodyKinds } from './kinds';
+import { type Inputs, type View, defaults, dropOf, firstBall, mostKept, siSpeed, speedOf } from './inputs';
+import { type BodyField, type BodyKind, blockOf, blocks, bodyKinds, materialNamed, materials } from './kinds';
 import { barSpeed } from './units';
 
-const keyOf = (field: BodyField, second: boolean): string => names[field][2] + (second ? '2' : '');
+const keyOf = (field: BodyField, second: boolean): string => names[field][1] + (second ? '2' : '');
 const keys = (second: boolean): string[] => (Object.keys(names) as BodyField[]).map((field) => keyOf(field, second));
 const known = new Set([
-  'body', 'file', 'file2', 'units', 'plane', ...Object.values(motions).map(([, , key]) => key), ...keys(false), 'against', ...keys(true),
-  'view', 'keep', 'version',
+  'body', 'file', 'file2', 'units', 'plane', 'material', 'material2', 'drop', ...Object.values(motions).map(([, key]) => key),
+  ...keys(false), 'against', ...keys(true), 'view', 'keep', 'version',
 ]);
 
 /** Of the keys and their meaning; an address names it only if it is another one (docs/developer/versions.md). */
@@ -23,14 +25,32 @@ const version = '1';
 
 /** The inputs as text after ? in the address. */
 export function toAddress(inputs: Inputs): string {
-  const { encounter, simple, kept } = inputs;
+  const { encounter, view, kept, speed } = inputs;
+  const isBall = view === 'ball';
   return [
-    ...pairsOf(encounter, '='),
-    ...motionFieldsOf(inputs).filter((name) => name === 'speed' || inputs[name] !== defaults[name])
-      .map((name) => `${motions[name][2]}=${shortest(inputs[name])}`),
-    ...(simple ? ['view=simple'] : []),
+    ...(isBall ? ['view=ball', ...ballPairs(encounter), `drop=${shortest(dropOf(speed))}`] : pairsOf(encounter, '=')),
+    ...motionFieldsOf(inputs).filter((name) => (name === 'speed' ? !isBall : inputs[name] !== defaults[name]))
+      .map((name) => `${motions[name][1]}=${shortest(inputs[name])}`),
+    ...(view === 'simple' ? ['view=simple'] : []),
     ...kept.map((other) => `keep=${pairsOf(other, ':').join(',')}`),
   ].join('&');
+}
+
+/** Whether a body of a named material has such a number of its own. */
+const isOwn = (field: BodyField): boolean => ['radius', 'thickness', 'loss_time'].includes(field);
+
+const grounds = ['half-space', 'plate', 'same'] as const;
+const solids = materials.map(({ name }) => name) as [string, ...string[]];
+
+/** Of named materials, which have a loss time unless one has been typed. */
+function ballPairs(encounter: Encounter): string[] {
+  const { against, first, second } = meetingOf(encounter);
+  const its = ({ solid, material, body, fields, second: other }: Side): string[] => [
+    `${other ? 'material2' : 'material'}=${encodeURIComponent(solid!.name)}`,
+    ...fields.filter((name) => isOwn(name) && !(name === 'loss_time' && material))
+      .map((name) => `${keyOf(name, other)}=${shortest(body[name])}`),
+  ];
+  return [...its(first), ...(against === 'half-space' ? [] : [`against=${against}`]), ...(second ? its(second) : [])];
 }
 
 function pairsOf(encounter: Encounter, between: string): string[] {
@@ -50,29 +70,30 @@ function pairsOf(encounter: Encounter, between: string): string[] {
  *  and what is not is that of the default. */
 export function fromAddress(text: string): { inputs: Inputs; problem: string } {
   const parts = text.replace(/^[#?]/, '').split('&').filter((part) => part !== '');
-  if (parts.length === 0) return { inputs: defaults, problem: '' };
+  if (parts.length === 0) return { inputs: firstBall, problem: '' };
   const problems: string[] = [];
   const isKept = (part: string): boolean => part.startsWith('keep=');
   const reader = new Reader(parts.filter((part) => !isKept(part)), '=', problems);
-  const encounter = inRange(encounterFrom(reader), problems);
-  const motion = motionFrom(reader, encounter, problems);
-  const simple = reader.word('view', ['full', 'simple']) === 'simple';
+  const view = reader.word('view', ['full', 'simple', 'ball']);
+  const encounter = inRange(encounterFrom(reader, view), problems);
+  const motion = motionFrom(reader, encounter, view, problems);
   reader.word('version', [version]);
   reader.finish();
   const curves = parts.filter(isKept);
-  if (curves.length > mostKept) problems.push(`keep: got ${curves.length} curves, allowed ${mostKept}`);
+  if (curves.length > mostKept) problems.push(say('address.curves', { count: curves.length, most: mostKept }));
   const kept = curves.slice(0, mostKept).flatMap((part) => keptFrom(part.slice('keep='.length), problems));
-  return { inputs: { encounter, ...motion, kept, simple }, problem: lineOf(problems) };
+  return { inputs: { encounter, ...motion, kept, view }, problem: lineOf(problems) };
 }
 
 /** How they meet; the default for what is wrong. */
-function motionFrom(reader: Reader, encounter: Encounter, problems: string[]): Motion {
+function motionFrom(reader: Reader, encounter: Encounter, view: View, problems: string[]): Motion {
   const { friction, angle, spin, second_spin } = defaults;
-  const usual = { speed: normalSpeed(encounter), friction, angle, spin, second_spin };
-  let motion: Motion = usual;
+  const isBall = view === 'ball';
+  const usual = { speed: isBall ? firstBall.speed : normalSpeed(encounter), friction, angle, spin, second_spin };
+  let motion: Motion = isBall ? { ...usual, speed: speedOf(reader.number('drop', dropOf(usual.speed))) } : usual;
   for (const name of ['speed', 'friction', 'angle', 'spin', 'second_spin'] as const) {
-    if (!motionFieldsOf({ encounter, ...motion }).includes(name)) continue;
-    motion = { ...motion, [name]: reader.number(motions[name][2], usual[name], name !== 'speed') };
+    if ((isBall && name === 'speed') || !motionFieldsOf({ encounter, ...motion }).includes(name)) continue;
+    motion = { ...motion, [name]: reader.number(motions[name][1], usual[name], name !== 'speed') };
   }
   for (let wrong = motionProblem({ encounter, ...motion }); wrong; wrong = motionProblem({ encounter, ...motion })) {
     problems.push(wrong[1]);
@@ -88,14 +109,14 @@ function lineOf(problems: readonly string[]): string {
   if (problems.length === 0) return '';
   const more = problems.length - mostTold;
   const told = problems.slice(0, mostTold).join('; ').replace(/[\p{C}\p{Zl}\p{Zp}]/gu, '�'); // no line ends or controls
-  return `The link is used except for this, where the default applies: ${told}${more > 0 ? `; and ${more} more` : ''}.`;
+  return say('address.problem', { told: more > 0 ? say('address.more', { told, more }) : told });
 }
 
 /** A curve for comparison; one that is not right as a whole is not shown. */
 function keptFrom(text: string, problems: string[]): Encounter[] {
   const wrong: string[] = [];
   const reader = new Reader(decoded(text).split(','), ':', wrong);
-  const encounter = encounterFrom(reader);
+  const encounter = encounterFrom(reader, 'full');
   reader.finish();
   inRange(encounter, wrong);
   if (wrong.length === 0) return [encounter];
@@ -117,12 +138,14 @@ function normalSpeed(encounter: Encounter): number {
   return rounded(Math.min(Math.max(siSpeed, 1e-7 * c), 0.1 * c), 3);
 }
 
-function encounterFrom(reader: Reader): Encounter {
-  const kind = reader.word('body', bodyKinds as [BodyKind, ...BodyKind[]]);
-  const si = reader.word('units', ['c', 'SI']) === 'SI';
-  const plane = reader.word('plane', ['stress', 'strain']);
+function encounterFrom(reader: Reader, view: View): Encounter {
+  const isBall = view === 'ball';
+  const kind = isBall ? 'sphere' : reader.word('body', bodyKinds as [BodyKind, ...BodyKind[]]);
+  const si = isBall || reader.word('units', ['c', 'SI']) === 'SI';
+  const plane = isBall ? 'stress' : reader.word('plane', ['stress', 'strain']);
   const others = ['wall', 'same', 'body'] as const;
-  const against = reader.word('against', [...others, ...blocks.filter((name) => blockOf(kind, name))]);
+  const against = isBall ? reader.word('against', grounds)
+    : reader.word('against', [...others, ...blocks.filter((name) => blockOf(kind, name))]);
   const choice: Choice = { kind, si, plane, against };
   const file = (key: string): object | undefined => (kind === 'sphere' && si ? reader.file(key) : undefined);
   const usual = si ? ball : unitBody;
@@ -133,9 +156,11 @@ function encounterFrom(reader: Reader): Encounter {
     const side = meetingOf(encounter)[second ? 'second' : 'first'];
     if (its) encounter = { ...encounter, [second ? 'against' : 'first']: ofFile(its) };
     else if (side) {
-      const numbers = side.fields.map((field) =>
-        [field, reader.number(keyOf(field, second), field === 'loss_time' ? 0 : without[field])]);
-      encounter = withBody(encounter, second, { ...without, ...Object.fromEntries(numbers) as Body }, choice);
+      const solid = isBall ? materialNamed(reader.word(second ? 'material2' : 'material', solids)) : undefined;
+      const numbers = side.fields.filter((field) => !solid || isOwn(field)).map((field) => [field, field === 'loss_time'
+        ? reader.number(keyOf(field, second), solid?.loss_time ?? 0, true) : reader.number(keyOf(field, second), without[field])]);
+      const body = solid ? madeOf(solid, without) : without;
+      encounter = withBody(encounter, second, { ...body, ...Object.fromEntries(numbers) as Body }, choice);
     }
   };
   filled(false, usual);
@@ -151,8 +176,8 @@ class Reader {
     for (const part of parts) {
       const at = part.indexOf(between);
       const key = brief(at < 0 ? part : part.slice(0, at));
-      if (at < 0) problems.push(`${key}: got no value`);
-      else if (this.pairs.has(key)) problems.push(`${key}: got twice, allowed once`);
+      if (at < 0) problems.push(say('address.no_value', { key }));
+      else if (this.pairs.has(key)) problems.push(say('address.twice', { key }));
       else this.pairs.set(key, decoded(part.slice(at + 1)));
     }
   }
@@ -166,7 +191,7 @@ class Reader {
   word<Word extends string>(key: string, allowed: readonly [Word, ...Word[]]): Word {
     const value = this.take(key) ?? allowed[0];
     const found = allowed.find((item) => item === value);
-    if (found === undefined) this.problems.push(`${key}: got “${brief(value)}”, allowed ${allowed.join(', ')}`);
+    if (found === undefined) this.problems.push(say('address.word', { key, got: brief(value), allowed: allowed.join(', ') }));
     return found ?? allowed[0];
   }
 
@@ -174,14 +199,14 @@ class Reader {
   file(key: string): object | undefined {
     const name = this.take(key);
     const file = name === undefined ? undefined : fileNamed(name);
-    if (name !== undefined && file === undefined) this.problems.push(`${key}: open “${brief(name)}” again`);
+    if (name !== undefined && file === undefined) this.problems.push(say('address.open', { key, name: brief(name) }));
     return file;
   }
 
   /** @param without what counts without the key @param optional whether a missing one is no problem */
-  number(key: string, without: number, optional = without === 0): number {
+  number(key: string, without: number, optional = false): number {
     const text = this.take(key);
-    const parsed = text === undefined ? { problem: `${key}: got none, allowed a number` } : parseNumber(key, text);
+    const parsed = text === undefined ? { problem: say('address.no_number', { key }) } : parseNumber(key, text);
     if ('value' in parsed) return parsed.value;
     if (text !== undefined || !optional) this.problems.push(parsed.problem);
     return without;
@@ -190,8 +215,8 @@ class Reader {
   /** Complains of keys that nobody has asked for. */
   finish(): void {
     for (const key of this.pairs.keys()) {
-      this.problems.push(known.has(key) ? `${key}: got a key that this encounter does not have`
-        : `${key}: got an unknown key, allowed ${[...known].join(' ')}`);
+      this.problems.push(known.has(key) ? say('address.not_here', { key })
+        : say('address.unknown', { key, allowed: [...known].join(' ') }));
     }
   }
 }

@@ -2,9 +2,10 @@
 import { numberOf, requireMotion, requireSpeed, unitsOf } from '../core/local';
 import { CoreError, type Encounter, type Motion } from '../core/protocol';
 import { displayed, significant } from '../drawing/numbers';
+import { say } from '../drawing/words';
 import { ball, encounterOf, meetingOf, unitBody } from './document';
 import {
-  type Field, type PlacedField, fieldsOf, ofSecond, owner, placedFieldsOf, valueOf, withValue, wordsOf,
+  type Field, type PlacedField, fieldsOf, measureOf, ofSecond, owner, placedFieldsOf, shownOf, valueOf, withValue, wordsOf,
 } from './fields';
 import { type Impact, type Inputs, defaults, isOblique, motionOf } from './inputs';
 import { sizeOf } from './kinds';
@@ -16,7 +17,7 @@ export type Parsed = { value: number } | { problem: string };
 export function parseNumber(name: string, text: string): Parsed {
   const typed = text.trim().replaceAll('\u2212', '-');
   if (/^[+-]?\d*,\d+(e[+-]?\d+)?$/i.test(typed)) {
-    return { problem: `${name}: got “${brief(typed)}”, write it with a point: ${brief(typed.replace(',', '.'))}` };
+    return { problem: say('check.comma', { name, got: brief(typed), point: brief(typed.replace(',', '.')) }) };
   }
   let value = 0;
   const refused = refusal(() => (value = numberOf(name, typed) || 0)); // not −0
@@ -35,11 +36,16 @@ export function check(inputs: Inputs, texts: ReadonlyMap<Field, string>) {
   let next = inputs;
   for (const field of fieldsOf(inputs)) {
     const text = texts.get(field);
-    if (text === undefined || text === displayed(valueOf(inputs, field))) continue;
-    const parsed = parseNumber(fullName(inputs.encounter, field), text);
-    if ('problem' in parsed) problems.set(field, parsed.problem);
-    else if (owner(field) === undefined) next = { ...next, [field]: parsed.value };
-    else next = { ...next, encounter: withValue(next.encounter, field as PlacedField, parsed.value) };
+    if (text === undefined || text === displayed(shownOf(inputs, field))) continue;
+    const measure = measureOf(inputs, field);
+    const parsed = parseNumber(measure ? say(measure.words) : fullName(inputs.encounter, field), text);
+    if ('problem' in parsed) {
+      problems.set(field, parsed.problem);
+      continue;
+    }
+    const value = measure ? measure.meant(parsed.value) : parsed.value;
+    if (owner(field) === undefined) next = { ...next, [field]: value };
+    else next = { ...next, encounter: withValue(next.encounter, field as PlacedField, value) };
   }
   for (const [field, problem] of problemsOf(next)) if (!problems.has(field)) problems.set(field, problem);
   return { inputs: next, problems };
@@ -123,5 +129,6 @@ function problemOf(encounter: Encounter, field: Field, refused: CoreError): stri
 }
 
 function fullName(encounter: Encounter, field: Field): string {
-  return `${wordsOf(encounter, field).name}${owner(field)?.second ? ' of what it meets' : ''}`;
+  const { name } = wordsOf(encounter, field);
+  return owner(field)?.second ? say('check.second', { name }) : name;
 }

@@ -1,9 +1,10 @@
-// The numbers a user types: which of them an encounter has, what they are called, and in what unit.
+// The numbers a user types: which of them an encounter has, and in what unit they are shown.
 import type { Encounter, Motion } from '../core/protocol';
-import { unitInWords } from '../drawing/numbers';
+import { rounded, unitInWords } from '../drawing/numbers';
+import { type Word, say } from '../drawing/words';
 import { ranges } from '../generated/kinds';
 import { meetingOf, meetsBody, withBody } from './document';
-import { type Impact, isOblique, takesFriction } from './inputs';
+import { type Impact, type Inputs, dropOf, isOblique, speedOf, takesFriction } from './inputs';
 import { type BodyField, blockOf, kindNamed } from './kinds';
 
 /** A number of the first body or of what it meets. */
@@ -12,16 +13,10 @@ export type PlacedField = BodyField | `${BodyField}2`;
 /** One of them, or of how they meet. */
 export type Field = PlacedField | keyof Motion;
 
-/** What the page calls how they meet: in words, by a symbol, in the address, its units without and with SI, and what it
- *  is. */
-export const motions: Record<
-  keyof Motion, [words: string, symbol: string, key: string, own: string, si: string, help: string]
-> = {
-  speed: ['Speed of approach', 'v', 'v', 'c', 'm/s', ''],
-  friction: ['Friction', 'μ', 'mu', '', '', 'coefficient of Coulomb’s law'],
-  angle: ['Angle', 'α', 'angle', '°', '°', 'between the velocity and the normal, along which the speed of approach is'],
-  spin: ['Spin', 'Ω', 'spin', 'c/R', 'rad/s', 'positive moves what touches as a positive angle does'],
-  second_spin: ['Second spin', 'Ω₂', 'spin2', 'c/R', 'rad/s', 'of what it meets, with the same sign of sliding'],
+/** How they meet: a symbol, the key in the address, and the units without and with SI. */
+export const motions: Record<keyof Motion, [symbol: string, key: string, own: string, si: string]> = {
+  speed: ['v', 'v', 'c', 'm/s'], friction: ['μ', 'mu', '', ''], angle: ['α', 'angle', '°', '°'],
+  spin: ['Ω', 'spin', 'c/R', 'rad/s'], second_spin: ['Ω₂', 'spin2', 'c/R', 'rad/s'],
 };
 
 /** The fields of bodies that count in an encounter, in the order of the page. */
@@ -38,9 +33,38 @@ export function motionFieldsOf(inputs: Impact): (keyof Motion)[] {
   return ['speed', 'friction', 'angle', 'spin', ...(meetsBody(encounter) ? ['second_spin'] as const : [])];
 }
 
-/** All that count. */
-export function fieldsOf(inputs: Impact): Field[] {
-  return [...placedFieldsOf(inputs.encounter), ...motionFieldsOf(inputs)];
+/** All that count; the materials of a real ball are named. */
+export function fieldsOf(inputs: Impact & Partial<Pick<Inputs, 'view'>>): Field[] {
+  const placed = placedFieldsOf(inputs.encounter);
+  const asked = inputs.view === 'ball' ? placed.filter((field) => field in measures || isLoss(field)) : placed;
+  return [...asked, ...motionFieldsOf(inputs)];
+}
+
+/** Whether it is a loss time, of whichever body. */
+export const isLoss = (field: Field): boolean => owner(field)?.name === 'loss_time';
+
+/** What a class measures in place of a number of the core, in a unit of its own. */
+interface Measure {
+  readonly words: Word;
+  readonly unit: string;
+  shown(value: number): number;
+  meant(typed: number): number;
+}
+
+const measures: Partial<Record<Field, Measure>> = {
+  radius: { words: 'ball.diameter', unit: 'mm', shown: (radius) => 2000 * radius, meant: (typed) => typed / 2000 },
+  thickness2: { words: 'ball.thickness', unit: 'mm', shown: (thickness) => 1000 * thickness, meant: (typed) => typed / 1000 },
+  speed: { words: 'ball.height', unit: 'cm', shown: (speed) => 100 * dropOf(speed), meant: (typed) => speedOf(typed / 100) },
+};
+
+export function measureOf({ view }: Inputs, field: Field): Measure | undefined {
+  return view === 'ball' ? measures[field] : undefined;
+}
+
+/** The number that a field shows. */
+export function shownOf(inputs: Inputs, field: Field): number {
+  const [measure, value] = [measureOf(inputs, field), valueOf(inputs, field)];
+  return measure ? rounded(measure.shown(value), 12) : value;
 }
 
 export function ofSecond(field: BodyField): `${BodyField}2` {
@@ -69,11 +93,10 @@ export function withValue(encounter: Encounter, field: PlacedField, value: numbe
   return withBody(encounter, second, { ...(second ? its.second! : its.first).body, [name]: value });
 }
 
-/** What the page calls a number of a body: in words, by a symbol, and in the address. */
-export const names: Record<BodyField, [words: string, symbol: string, key: string]> = {
-  poisson: ['Poisson’s ratio', 'ν', 'nu'], young: ['Young’s modulus', 'E', 'E'], density: ['Density', 'ρ', 'rho'],
-  radius: ['Radius', 'R', 'R'], length: ['Length', 'L', 'R'], area: ['Cross-section', 'A', 'A'],
-  thickness: ['Thickness', 'h', 'h'], loss_time: ['Loss time', 'η', 'eta'],
+/** A number of a body: its symbol, and its key in the address. */
+export const names: Record<BodyField, [symbol: string, key: string]> = {
+  poisson: ['ν', 'nu'], young: ['E', 'E'], density: ['ρ', 'rho'], radius: ['R', 'R'], length: ['L', 'R'],
+  area: ['A', 'A'], thickness: ['h', 'h'], loss_time: ['η', 'eta'],
 };
 
 /** What the page says of a field. */
@@ -91,17 +114,18 @@ export function wordsOf(encounter: Encounter, field: Field): Words {
   const { kind, si, against } = meetingOf(encounter);
   const place = owner(field);
   if (place === undefined) {
-    const [words, sign, , own, real, help] = motions[field as keyof Motion];
-    const range = (ranges as Record<string, string>)[field];
+    const motion = field as keyof Motion;
+    const [sign, , own, real] = motions[motion];
+    const [words, help, range] = [say(`field.${motion}`), say(`help.${motion}`), (ranges as Record<string, string>)[field]];
     return { name: words, label: `${words} ${sign}`, help: range ? `${help}, ${range}` : help, unit: si ? real : own };
   }
   const { name: key, second } = place;
   const { hasPlane, length, parameters } = kindNamed(kind);
   const ofBlock = blockOf(kind, against)?.parameters ?? [];
   const { help = '', unit = '' } = [...parameters, ...ofBlock].find((each) => each.name === key) ?? {};
-  const [usual, symbol] = names[key];
-  const name = si ? usual : key === 'poisson' && hasPlane ? '2‑D Poisson’s ratio'
-    : key === 'young' && second ? 'Modulus' : usual;
+  const [symbol] = names[key];
+  const name = say(si ? `field.${key}` : key === 'poisson' && hasPlane ? 'field.poisson_plane'
+    : key === 'young' && second ? 'field.modulus' : `field.${key}`);
   const ratio = second && !si && !['ν', 'η'].includes(symbol);
   const ratioOf = parameters.some((each) => each.name === key) ? `${symbol}₂/${symbol}₁` : `${symbol}/${length}`;
   return {

@@ -4,6 +4,7 @@ import { CoreError, type Encounter } from '../core/protocol';
 import { documentOf, meetingOf, ofFile } from './document';
 import { type Inputs, withKind } from './inputs';
 import { withSi } from './units';
+import { say } from '../drawing/words';
 
 const loaded = new Map<string, object>();
 const names = new WeakMap<object, string>();
@@ -29,7 +30,7 @@ export function openFile(name: string, text: string): object {
   try {
     body = JSON.parse(text) as object;
   } catch (error) {
-    throw new CoreError(`${name}: got no JSON document, allowed one (${(error as Error).message})`);
+    throw new CoreError(say('form.no_json', { name, why: (error as Error).message }));
   }
   const alone = documentOf({ first: ofFile(body), against: 'wall' } as Encounter);
   requireDocument(alone.replace(JSON.stringify(body), () => text));

@@ -3,18 +3,22 @@ import type { Encounter, Motion } from '../core/protocol';
 import {
   type Body, type Choice, type Side, centimetre, encounterOf, equal, hasFile, madeOf, meetingOf, meetsBody, unitBody, withBody,
 } from './document';
-import { type BodyKind, kindNamed, materialNamed, sizeOf } from './kinds';
+import type { Word } from '../drawing/words';
+import { rounded } from '../drawing/numbers';
+import { type Block, type BodyKind, isBlock, kindNamed, materialNamed, sizeOf } from './kinds';
 
 /** Who meets whom, and how. */
 export interface Impact extends Motion {
   readonly encounter: Encounter;
 }
 
-/** All that the address holds: the impact, and whose curves stay for comparison. */
+/** What is shown: the drop test of a real ball; all numbers; or of those only ε, the height of rebound and the film. */
+export type View = 'ball' | 'full' | 'simple';
+
+/** All that the address holds: the impact, the view, and whose curves stay for comparison. */
 export interface Inputs extends Impact {
   readonly kept: readonly Encounter[];
-  /** whether only ε, the height of rebound and the film are shown */
-  readonly simple: boolean;
+  readonly view: View;
 }
 
 /** What is along the surface at first: nothing that counts. */
@@ -25,7 +29,7 @@ export const defaults: Inputs = {
   speed: 0.1,
   ...smooth,
   kept: [],
-  simple: false,
+  view: 'full',
 };
 
 /** The speed with which SI begins: a ball of steel does not yield at a rigid wall (from 0.13 m/s). */
@@ -75,25 +79,58 @@ export function equalInputs(a: Impact, b: Impact): boolean {
   return equal(a.encounter, b.encounter) && JSON.stringify(motionOf(a)) === JSON.stringify(motionOf(b));
 }
 
-/** An impact that a class can see for itself. */
-export interface Preset extends Impact {
-  readonly name: string;
+/** Standard gravity, m/s². */
+export const gravity = 9.80665;
+
+/** The height in m from which a ball falls to a speed in m/s, without air. */
+export const dropOf = (speed: number): number => rounded(speed ** 2 / (2 * gravity), 12);
+
+/** The speed of such a fall; the sign of a height that is none is kept, for the core to refuse. */
+export const speedOf = (height: number): number => Math.sign(height) * Math.sqrt(2 * gravity * Math.abs(height));
+
+/** Whether the view of a real ball can ask for it: a sphere of a named material on a block, a plate or its like. */
+export function isBall(encounter: Encounter): boolean {
+  const { kind, against, first, second } = meetingOf(encounter);
+  return kind === 'sphere' && first.solid !== undefined &&
+    (against === 'same' || (isBlock(against) && second!.solid !== undefined));
 }
 
-/** A ball that falls on a block: radius in m, speed in m/s. */
-function drop(name: string, material: string, radius: number, block: string, speed: number): Preset {
-  const [first, second] = [material, block].map((each) => madeOf(materialNamed(each), { ...centimetre, radius })) as [Body, Body];
-  const encounter = encounterOf({ kind: 'sphere', si: true, plane: 'stress', against: 'half-space' }, first, second);
-  return { name, encounter, speed, ...smooth };
+/** An impact that a class can see for itself. */
+export interface Preset extends Impact {
+  readonly name: Word;
+}
+
+/** A ball that falls: its material, radius in m, what it falls on and of what, drop height in m; thickness of a plate. */
+function drop(
+  name: Word, material: string, radius: number, against: Block, ground: string, height: number, thickness = 0.01,
+): Preset {
+  const [first, second] = [material, ground]
+    .map((each) => madeOf(materialNamed(each), { ...centimetre, radius, thickness })) as [Body, Body];
+  const encounter = encounterOf({ kind: 'sphere', si: true, plane: 'stress', against }, first, second);
+  return { name, encounter, speed: speedOf(height), ...smooth };
 }
 
 export const presets: readonly Preset[] = [
-  { name: 'Elastic disk at a wall', encounter: defaults.encounter, speed: defaults.speed, ...smooth },
-  drop('Glass marble on a granite table', 'glass', 0.008, 'granite', 1),
-  drop('Rubber ball on a granite floor', 'rubber', 0.02, 'granite', 2),
-  drop('Steel ball on glass', 'bearing steel', 0.005, 'glass', 1),
-  { ...drop('Superball under a table', 'rubber', 0.025, 'granite', 5), friction: 1, angle: 25, spin: 40 },
+  drop('preset.marble', 'glass', 0.008, 'half-space', 'granite', 0.3),
+  drop('preset.superball', 'rubber', 0.02, 'half-space', 'granite', 0.5),
+  drop('preset.bearing', 'bearing steel', 0.005, 'half-space', 'glass', 0.2),
+  drop('preset.pane', 'bearing steel', 0.005, 'plate', 'glass', 0.2, 0.004),
+  { ...drop('preset.hops', 'rubber', 0.025, 'half-space', 'granite', 1.25), friction: 1, angle: 25, spin: 40 },
+  { name: 'preset.disk', encounter: defaults.encounter, speed: defaults.speed, ...smooth },
 ];
+
+/** What the page opens with. */
+export const firstBall: Inputs = { ...defaults, ...withoutName(presets[0]!), view: 'ball' };
+
+function withoutName({ encounter, speed, friction, angle, spin, second_spin }: Impact): Impact {
+  return { encounter, speed, friction, angle, spin, second_spin };
+}
+
+/** The inputs with the impact of an example. */
+export function withPreset(inputs: Inputs, name: string): Inputs {
+  const preset = presets.find((each) => each.name === name);
+  return preset ? { ...inputs, ...withoutName(preset) } : inputs;
+}
 
 /** The preset that inputs are; undefined for those of one's own. */
 export function presetOf(inputs: Inputs): Preset | undefined {

@@ -2,10 +2,11 @@
 import { unitsOf } from '../core/local';
 import type { CurvePoint, Encounter, Motion } from '../core/protocol';
 import { prefixFor, shortest, significant } from '../drawing/numbers';
+import { say } from '../drawing/words';
 import { type Side, meetingOf } from './document';
 import { names } from './fields';
 import { nameOf, titleOf } from './files';
-import { type Inputs, motionOf } from './inputs';
+import { type Inputs, dropOf, motionOf, speedOf } from './inputs';
 import { lengthOf } from './kinds';
 
 // The build takes it from CMakeLists.txt.
@@ -20,8 +21,8 @@ const usualTolerance = 1e-3;
 export function description(encounter: Encounter): string {
   const { against, si, first, second } = meetingOf(encounter);
   const words = inWords(first, si);
-  if (second) return `${words} at ${inWords(second, true)}`;
-  return against === 'wall' ? words : `${words} at an identical one`;
+  if (second) return say('encounter.at', { words, other: inWords(second, true) });
+  return against === 'wall' ? words : say('encounter.same', { words });
 }
 
 function inWords({ kind, si, body, second, fields, material, strain, file }: Side, sized: boolean): string {
@@ -31,9 +32,9 @@ function inWords({ kind, si, body, second, fields, material, strain, file }: Sid
     ...(material ? [`${material.name} ${kind.name}`] : [kind.name]),
     ...(!material && fields.includes('poisson') ? [`ν ${significant(body.poisson, 4)}`] : []),
     ...(!material && (si || second) ? [`E ${withPrefix(body.young, si ? 'Pa' : '')}`] : []),
-    ...(size ? [si ? withPrefix(body[size], 'm') : `${names[size][1]} ${significant(body[size], 3)}`] : []),
+    ...(size ? [si ? withPrefix(body[size], 'm') : `${names[size][0]} ${significant(body[size], 3)}`] : []),
     ...(!material && body.loss_time !== 0 ? [`η ${significant(body.loss_time, 3)}`] : []),
-    ...(strain && !second ? ['plane strain'] : []),
+    ...(strain && !second ? [say('encounter.strain')] : []),
   ].join(' ');
 }
 
@@ -74,6 +75,14 @@ export function encounterArguments(encounter: Encounter): string[] {
 /** Arguments of `stoss` for ε, or for a prediction, at some speeds. */
 export function argumentsOf(encounter: Encounter, speeds: readonly number[], command = 'restitution'): string[] {
   return [command, ...encounterArguments(encounter), '--speed', speeds.map(shortest).join(',')];
+}
+
+/** Arguments of `stoss predict` at a speed, as a drop height where that is the rounder number. */
+export function dropArguments(encounter: Encounter, speed: number): string[] {
+  const height = dropOf(speed);
+  const isRounder = speedOf(height) === speed && shortest(height).length < shortest(speed).length;
+  return isRounder ? ['predict', ...encounterArguments(encounter), '--height', shortest(height)]
+    : argumentsOf(encounter, [speed], 'predict');
 }
 
 /** Arguments of the command as a line to be pasted into a shell. */

@@ -5,7 +5,7 @@ import { seriesOf, unitsOf } from '../core/local';
 import type { Elastic, Encounter } from '../core/protocol';
 import { rounded, shortest } from '../drawing/numbers';
 import { type Body, type Choice, ball, encounterOf, meetingOf } from './document';
-import { type Inputs, siSpeed } from './inputs';
+import { type Inputs, type View, dropOf, siSpeed, speedOf } from './inputs';
 import { type BodyField, blockOf, isBlock, lengthOf, sizeOf } from './kinds';
 
 /** c of the first body: 1 without SI, else m/s. */
@@ -83,16 +83,21 @@ export function endsOf(encounter: Encounter): [number, number] {
   return [rounded(slowest * c, 4), rounded(fastest(encounter) * c, 4)];
 }
 
-const slider = (encounter: Encounter) => scaleLog(endsOf(encounter), [0, steps]).clamp(true);
+/** Drop heights in m in a classroom. */
+const drops = [0.01, 10] as const;
 
-/** The speed at a place 0 … steps of the slider, to three digits. */
-export function speedAt(encounter: Encounter, place: number): number {
-  return rounded(slider(encounter).invert(place), 3);
+const slider = (encounter: Encounter, view: View) =>
+  scaleLog(view === 'ball' ? drops.map(speedOf) : endsOf(encounter), [0, steps]).clamp(true);
+
+/** The speed at a place 0 … steps of the slider, to three digits; of a real ball its drop height, to two. */
+export function speedAt(encounter: Encounter, place: number, view: View = 'full'): number {
+  const speed = slider(encounter, view).invert(place);
+  return view === 'ball' ? speedOf(rounded(dropOf(speed), 2)) : rounded(speed, 3);
 }
 
 /** The nearest place of the slider to a speed; its end for one beyond. */
-export function placeOf(encounter: Encounter, speed: number): number {
-  return Math.round(slider(encounter)(speed));
+export function placeOf(encounter: Encounter, speed: number, view: View = 'full'): number {
+  return Math.round(slider(encounter, view)(speed));
 }
 
 /** The series of a curve that nobody has typed. */

@@ -4,10 +4,11 @@ import type { Curve } from '../charts/curve_picture';
 import { remember, seriesOf } from '../core/local';
 import type { AnglePoint, Asking, Core, CurvePoint, Encounter, Motion, Prediction } from '../core/protocol';
 import { messageOf } from '../drawing/dom';
+import { say } from '../drawing/words';
 import { documentOf, meetingOf } from '../inputs/document';
 import { description } from '../inputs/lines';
 import { barSpeed, coarseFirst, curveSpeeds } from '../inputs/units';
-import { coarse, fine } from './session';
+import { coarse, fine, pause } from './session';
 
 /** Points that are computed for what was wanted last, and remembered: as many sets of them as `most`. */
 function createPoints<Point>(most: number, placeOf: (point: Point) => number, changed: () => void) {
@@ -64,7 +65,7 @@ export function createAngles(
     await all.begin((signal) => all.complete(key, angles, signal, (missing, asking) =>
       core('obliqueAngles', encounter, { ...motion, angles: missing, tolerance: coarse }, asking)), (line) => {
       current = '';
-      failed(`Curve against the angle: ${line}`);
+      failed(say('angle.failed', { line }));
     });
   };
 }
@@ -91,7 +92,7 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
         await all.complete(keyOf(encounter), of(encounter).planned, signal, (speeds, asking) =>
           core('curve', encounter, { speeds, tolerance: fine }, asking)).catch((error: unknown) => {
           signal.throwIfAborted();
-          failed(`Curve of ${description(encounter)}: ${messageOf(error)}`);
+          failed(say('curve.failed', { encounter: description(encounter), why: messageOf(error) }));
         });
       }
     }, failed);
@@ -133,8 +134,11 @@ export function createPredictions(core: Core, audience: PredictionAudience) {
   const all = createPoints<Prediction>(20, ({ speed }) => speed, audience.curve);
   return {
     of: (encounter: Encounter): readonly Prediction[] => all.of(documentOf(encounter)),
-    /** Predict at a speed, and then at the first of others, which fill their range ever more densely. */
-    want: (encounter: Encounter, speed: number, planned: readonly number[]): Promise<void> => all.begin(async (signal) => {
+    /** Predict at a speed, `after` so many ms in which nothing else is wanted, and then at the first of others, which fill their range ever more densely. */
+    want: (
+      encounter: Encounter, speed: number, planned: readonly number[], after = 0,
+    ): Promise<void> => all.begin(async (signal) => {
+      if (after > 0) await pause(after, signal);
       const deliver = (prediction: Prediction): void => audience.one(encounter, prediction);
       for (const stage of stages) await core('prediction', encounter, { speeds: [speed], ...stage }, { signal, deliver });
       const few = planned.slice(0, count).sort((a, b) => b - a); // fast first: slow impacts take much longer

@@ -2,20 +2,25 @@
 import { html, nothing, render } from 'lit-html';
 import { repeat } from 'lit-html/directives/repeat.js';
 import { find, optionsOf } from '../drawing/dom';
-import { displayed, significant } from '../drawing/numbers';
+import { displayed, significant, withUnit } from '../drawing/numbers';
 import { check, refusal } from '../inputs/check';
+import { say } from '../drawing/words';
 import { type Choice, encounterOf, madeOf, meetingOf, withBody } from '../inputs/document';
-import { type Field, fieldsOf, owner, valueOf, wordsOf } from '../inputs/fields';
+import { type Field, fieldsOf, isLoss, measureOf, owner, shownOf, wordsOf } from '../inputs/fields';
 import { openFile, titleOf, withFile } from '../inputs/files';
-import { type Inputs, presetOf, presets, withAgainst, withKind } from '../inputs/inputs';
+import {
+  type Inputs, type View, dropOf, isBall, presetOf, presets, withAgainst, withKind, withPreset,
+} from '../inputs/inputs';
 import { type BodyKind, blockOf, blocks, bodyKinds, fileKind, kindNamed, materials, sizeOf } from '../inputs/kinds';
 import { description } from '../inputs/lines';
 import { barSpeed, placeOf, speedAt, steps, withoutSi, withSi } from '../inputs/units';
+import { createTabs, showView } from './tabs';
 
-const homes = ['first-fields', 'second-fields', 'speed-field', 'motion-fields'] as const;
+const homes = ['first-fields', 'second-fields', 'speed-field', 'motion-fields', 'more-fields'] as const;
 
-function homeOf(field: Field): (typeof homes)[number] {
+function homeOf(field: Field, view: View): (typeof homes)[number] {
   const place = owner(field);
+  if (view === 'ball' && field !== 'speed' && (isLoss(field) || !place)) return 'more-fields';
   if (place === undefined) return field === 'speed' ? 'speed-field' : 'motion-fields';
   return place.second ? 'second-fields' : 'first-fields';
 }
@@ -33,20 +38,25 @@ export function textOf(field: Field): string {
 export function showFields(inputs: Inputs, problems: ReadonlyMap<Field, string>): void {
   const { encounter } = inputs;
   const rowOf = (field: Field): unknown => {
-    const { label, help, unit } = wordsOf(encounter, field);
+    const measure = measureOf(inputs, field);
+    const words = wordsOf(encounter, field);
+    const { help } = words;
+    const [named, unit] = measure ? [say(measure.words), measure.unit] : [words.label, words.unit];
+    const spoken = owner(field)?.second ? say('form.of_second', { label: named }) : named;
+    const label = homeOf(field, inputs.view) === 'more-fields' ? spoken : named;
     const [id, problem] = [`field-${field}`, problems.get(field) ?? ''];
     return html`
       <div class="field" title=${help}>
         <label for=${id}>${label}</label>
         <input id=${id} type="text" inputmode="decimal" autocomplete="off" spellcheck="false" data-field=${field}
           aria-describedby="${id}-unit ${id}-problem" aria-invalid=${problem === '' ? nothing : 'true'}
-          aria-label=${owner(field)?.second ? `${label}, of what it meets` : nothing} />
+          aria-label=${spoken === label ? nothing : spoken} />
         <span id="${id}-unit" class="unit">${unit}</span>
         <p id="${id}-problem" class="problem" ?hidden=${problem === ''}>${problem}</p>
       </div>`;
   };
   for (const home of homes) {
-    const fields = fieldsOf(inputs).filter((field) => homeOf(field) === home);
+    const fields = fieldsOf(inputs).filter((field) => homeOf(field, inputs.view) === home);
     render(repeat(fields, (field) => field, rowOf), find(home, HTMLElement));
   }
 }
@@ -54,7 +64,7 @@ export function showFields(inputs: Inputs, problems: ReadonlyMap<Field, string>)
 /** Bring the numbers up to date; one just being typed stays as it is. */
 export function showNumbers(inputs: Inputs): void {
   for (const field of fieldsOf(inputs)) {
-    const value = valueOf(inputs, field);
+    const value = shownOf(inputs, field);
     const input = inputOf(field);
     const typed = input.value.trim() !== '' && (Number(input.value) === value || input.value === displayed(value));
     if (!typed) input.value = displayed(value);
@@ -67,7 +77,7 @@ export interface Listener {
   wrong(): void;
 }
 
-const own = 'own numbers';
+const own = '';
 
 /** Wire the form of index.html. */
 export function createControls(initial: Inputs, listener: Listener) {
@@ -82,18 +92,20 @@ export function createControls(initial: Inputs, listener: Listener) {
   render(bodyKinds.map((kind) => html`<label title=${kindNamed(kind).help}>
     <input type="radio" name="body" value=${kind} /><span>${kind.charAt(0).toUpperCase() + kind.slice(1)}</span>
   </label>`).concat(html`<label title=${fileKind.help}>
-    <input type="file" id="file" accept=".json" aria-label="Any body, of a file" /><span>File…</span>
+    <input type="file" id="file" accept=".json" aria-label=${say('form.file1')} data-waits disabled /><span>${say('form.file')}</span>
   </label>`), find('bodies', HTMLElement));
-  const named = (all: readonly { name: string }[]): unknown =>
-    optionsOf([own, ...all.map(({ name }) => name)].map((name) => [name, name]));
-  render(named(presets), preset);
-  for (const select of Object.values(selects)) render(named(materials), select);
+  const ownNumbers = [own, say('form.own')] as const;
 
   function show(next: Inputs): void {
     inputs = next;
     const { encounter } = inputs;
     const { kind, si, plane, against, first, second } = meetingOf(encounter);
-    const [file, file2] = [first.file, second?.file];
+    const [file, file2, asBall] = [first.file, second?.file, inputs.view === 'ball'];
+    render(optionsOf([ownNumbers, ...presets.filter((each) => !asBall || isBall(each.encounter))
+      .map(({ name }) => [name, say(name)] as const)]), preset);
+    for (const select of Object.values(selects)) {
+      render(optionsOf([...(asBall ? [] : [ownNumbers]), ...materials.map(({ name }) => [name, name] as const)]), select);
+    }
     choose('body', file ? '' : kind);
     for (const [id, its] of [['file', file], ['file2', file2]] as const) {
       find(id, HTMLInputElement).parentElement!.classList.toggle('chosen', its !== undefined);
@@ -101,18 +113,22 @@ export function createControls(initial: Inputs, listener: Listener) {
     find('file-problem', HTMLElement).hidden = true;
     choose('units', si ? 'SI' : 'c');
     choose('plane', plane);
-    simple.checked = inputs.simple;
-    document.body.dataset.view = inputs.simple ? 'simple' : 'full';
+    simple.checked = inputs.view === 'simple';
+    showView(inputs.view);
+    if (asBall && inputs.friction !== 0) find('more', HTMLDetailsElement).open = true;
     find('plane-row', HTMLElement).hidden = !(si && kindNamed(kind).hasPlane);
     find('material-row', HTMLElement).hidden = !si || file !== undefined;
     find('material2-row', HTMLElement).hidden = !si || second === undefined || file2 !== undefined;
-    render(optionsOf([
-      ['wall', 'a rigid wall'], ['same', 'an identical body'], ['body', file2 ? `“${titleOf(file2)}”` : `another ${kind}`],
-      ...blocks.flatMap((name): [string, string][] => {
-        const block = blockOf(kind, name);
-        return block ? [[name, `an elastic ${block.name}`]] : [];
-      }),
-    ]), partner);
+    render(optionsOf(asBall
+      ? [['half-space', say('form.thick')], ['plate', say('form.plate')], ['same', say('form.same_ball')]]
+      : [
+        ['wall', say('form.wall')], ['same', say('form.same')],
+        ['body', file2 ? `“${titleOf(file2)}”` : say('form.other', { kind })],
+        ...blocks.flatMap((name): [string, string][] => {
+          const block = blockOf(kind, name);
+          return block ? [[name, say('form.block', { name: block.name })]] : [];
+        }),
+      ]), partner);
     partner.value = against;
     showFields(inputs, new Map());
     showNumbers(inputs);
@@ -121,19 +137,21 @@ export function createControls(initial: Inputs, listener: Listener) {
 
   /** Show what follows from the numbers. */
   function showDerived(): void {
-    const { encounter, speed } = inputs;
+    const { encounter, speed, view } = inputs;
     const { si, kind, first, second } = meetingOf(encounter);
+    const asBall = view === 'ball';
     preset.value = presetOf(inputs)?.name ?? own;
     find('who', HTMLElement).textContent = description(encounter);
     for (const [select, side] of [[selects.first, first], [selects.second, second]] as const) {
-      select.value = side?.material?.name ?? own;
+      select.value = (asBall ? side?.solid : side?.material)?.name ?? own;
       select.title = side?.material?.source ?? '';
     }
     const title = first.file ? `“${titleOf(first.file)}”, ` : '';
     find('units-note', HTMLElement).textContent = si ? `${title}c = √(E/ρ) = ${significant(barSpeed(encounter), 4)} m/s`
-      : `Units: ${sizeOf(kind)}, bar speed c = √(E/ρ) and mass of the first body`;
-    slider.value = String(placeOf(encounter, speed));
-    slider.setAttribute('aria-valuetext', `${significant(speed, 3)} ${si ? 'm/s' : 'c'}`);
+      : say('form.units_note', { size: sizeOf(kind) });
+    slider.value = String(placeOf(encounter, speed, view));
+    slider.ariaLabel = say(asBall ? 'form.drop_slider' : 'form.slider');
+    slider.ariaValueText = asBall ? withUnit(dropOf(speed), 'm') : `${significant(speed, 3)} ${si ? 'm/s' : 'c'}`;
   }
 
   /** Take over inputs that a choice or a slider made; they are in range unless a field already was not. */
@@ -166,10 +184,7 @@ export function createControls(initial: Inputs, listener: Listener) {
   };
   /** What a choice makes of the inputs, by the ids and names of index.html. */
   const choices: Record<string, (value: string) => Inputs> = {
-    preset: (value) => {
-      const { encounter, speed, friction, angle, spin, second_spin } = presets.find(({ name }) => name === value) ?? inputs;
-      return { ...inputs, encounter, speed, friction, angle, spin, second_spin };
-    },
+    preset: (value) => withPreset(inputs, value),
     against: (value) => ({ ...inputs, encounter: withAgainst(inputs.encounter, value as Choice['against']) }),
     material: (value) => withMaterial(value, false),
     material2: (value) => withMaterial(value, true),
@@ -195,7 +210,7 @@ export function createControls(initial: Inputs, listener: Listener) {
 
   form.addEventListener('submit', (event) => event.preventDefault());
   form.addEventListener('input', ({ target }) => {
-    if (target === slider) take({ ...inputs, speed: speedAt(inputs.encounter, Number(slider.value)) }, false);
+    if (target === slider) take({ ...inputs, speed: speedAt(inputs.encounter, Number(slider.value), inputs.view) }, false);
     else if (isNumber(target)) read(false);
   });
   form.addEventListener('change', ({ target }) => {
@@ -211,7 +226,8 @@ export function createControls(initial: Inputs, listener: Listener) {
     const change = choices[name || id];
     if (change) take(change(value), true);
   });
-  simple.addEventListener('change', () => take({ ...inputs, simple: simple.checked }, true));
+  simple.addEventListener('change', () => take({ ...inputs, view: simple.checked ? 'simple' : 'full' }, true));
+  createTabs(() => inputs, (next) => take(next, true));
 
   function choose(name: string, value: string): void {
     for (const radio of form.querySelectorAll<HTMLInputElement>(`input[name="${name}"]`)) {
@@ -223,6 +239,8 @@ export function createControls(initial: Inputs, listener: Listener) {
   return {
     /** Show inputs that come from elsewhere: the address, the curve. */
     show,
+    /** Check all that is typed. */
+    check: (): void => read(true),
     /** What the core says is wrong with a field. */
     refuse: (field: Field, problem: string): void => showFields(inputs, new Map([[field, problem]])),
   };

@@ -2,6 +2,7 @@
 import { html, render } from 'lit-html';
 import type { Encounter } from '../core/protocol';
 import { find } from '../drawing/dom';
+import { say } from '../drawing/words';
 import { description } from '../inputs/lines';
 import { equal } from '../inputs/document';
 import { mostKept, type Inputs } from '../inputs/inputs';
@@ -17,9 +18,9 @@ export function showKept({ kept, encounter }: Inputs, change: (kept: readonly En
     button.focus();
   };
   button.disabled = there || kept.length >= mostKept;
-  button.title = there ? 'This curve is kept already' : kept.length >= mostKept ? `At most ${mostKept} are kept` : '';
+  button.title = there ? say('kept.already') : kept.length >= mostKept ? say('kept.most', { most: mostKept }) : '';
   button.onclick = () => change([...kept, encounter]);
   list.hidden = kept.length === 0;
-  render(kept.map(description).map((name, k) => html`<li>${name}<button type="button" title="Do not keep"
-    aria-label="Do not keep ${name}" @click=${() => drop(kept[k]!)}>×</button></li>`), list);
+  render(kept.map(description).map((name, k) => html`<li>${name}<button type="button" title=${say('kept.drop')}
+    aria-label=${say('kept.drop_one', { name })} @click=${() => drop(kept[k]!)}>×</button></li>`), list);
 }

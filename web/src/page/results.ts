@@ -3,8 +3,9 @@ import { html, nothing, render } from 'lit-html';
 import type { Encounter, Quantities, Quantity, Restitution } from '../core/protocol';
 import { find } from '../drawing/dom';
 import { prefixFor, significant, withError } from '../drawing/numbers';
+import { say } from '../drawing/words';
 import { meetingOf, meetsBody } from '../inputs/document';
-import { gravity } from '../scene/hop_film';
+import { gravity } from '../inputs/inputs';
 
 export type Stage = 'first' | 'final';
 
@@ -63,7 +64,7 @@ export function reboundInWords(encounter: Encounter, result: Restitution): { ful
   const rebound = restitution && reboundOf(encounter, result.speed, restitution);
   if (rebound === undefined) return { full: '', short: '' };
   const { drop, height } = rebound;
-  const of = drop === undefined ? '\u00a0h' : ` of ${shown({ value: drop, unit: 'm' }, threeDigits)}`;
+  const of = drop === undefined ? '\u00a0h' : say('result.of', { drop: shown({ value: drop, unit: 'm' }, threeDigits) });
   return { full: shown(height) + of, short: shown(height, threeDigits) + of };
 }
 
@@ -71,8 +72,8 @@ export function reboundInWords(encounter: Encounter, result: Restitution): { ful
 export function yieldInWords(encounter: Encounter, { yieldSpeed, yieldWarning }: Restitution): string {
   if (!meetingOf(encounter).si) return '';
   if (yieldWarning !== undefined) return `${yieldWarning[0]!.toUpperCase()}${yieldWarning.slice(1)}.`;
-  if (yieldSpeed === undefined) return 'Once the material yields or cracks, ε is an upper bound.';
-  return `Begins to yield at ${significant(yieldSpeed, 2)} m/s: above that, ε is an upper bound.`;
+  if (yieldSpeed === undefined) return say('result.yield_unknown');
+  return say('result.yields', { speed: significant(yieldSpeed, 2) });
 }
 
 /** A change of ε_t of which the page speaks; its error is about as large. */
@@ -83,21 +84,19 @@ export function flags(
   { reason, converged, note, beyondSmallStrain, beyondSmallTurn, materialWarnings, quantities }: Restitution,
 ): string[] {
   // The core's advice is about a tolerance, which is no input here.
-  const why = reason.replace(/; try an? [^;]*$/, '') || 'tolerance not reached';
+  const why = reason.replace(/; try an? [^;]*$/, '') || say('result.tolerance');
   const digits = (name: Name, count: number): string => significant(quantities[name]?.value ?? NaN, count);
   const coupling = Math.abs(quantities.coupling_tangential_restitution?.value ?? 0);
   return [
     coupling <= noticeableCoupling ? ''
-      : `In unequal spheres pressure and friction act on each other. Left out here, that may change ε_t by ${
-        Number.isFinite(coupling) ? significant(coupling, 2) : 'an unknown amount'}.`,
+      : say('result.coupling', { change: Number.isFinite(coupling) ? significant(coupling, 2) : say('result.unknown_amount') }),
     note && `${note.charAt(0).toUpperCase()}${note.slice(1).replace('eps', 'ε')}.`,
     ...(materialWarnings ?? []).map((line) => `${line.charAt(0).toUpperCase()}${line.slice(1)}.`),
-    converged ? '' : `Not as accurate as asked for: ${why}.`,
+    converged ? '' : say('result.inaccurate', { why }),
     beyondSmallStrain
-      ? `Beyond small strain, by some ${digits('strain', 3)}: above 0.1 linear elasticity is no longer accurate.` : '',
+      ? say('result.strain', { strain: digits('strain', 3) }) : '',
     beyondSmallTurn
-      ? `The bodies turn by ${digits('turned', 2)} rad while they touch, and their contact rolls by more than its `
-        + 'half-width: linear kinematics is no longer accurate.' : '',
+      ? say('result.turn', { angle: digits('turned', 2) }) : '',
   ].filter(Boolean);
 }
 
@@ -114,7 +113,7 @@ export function createResults() {
   let timer: number | undefined;
   let soon: number | undefined;
 
-  const spokenOf = (id: string): string => find(id, HTMLElement).textContent?.replace('±', 'plus or minus') ?? '';
+  const spokenOf = (id: string): string => find(id, HTMLElement).textContent?.replace('±', say('spoken.error')) ?? '';
   const put = (texts: Record<string, string>): void => {
     for (const [id, text] of Object.entries(texts)) find(id, HTMLElement).textContent = text;
   };
@@ -144,7 +143,7 @@ export function createResults() {
         'contact-time': shownQuantity(result, 'contact_time'),
         'max-force': shownQuantity(result, 'max_force'),
         'max-compression': shownQuantity(result, 'max_compression'),
-        'rebound-name': `Height of rebound ε²h${si ? ', h = v²/2g' : ''}`,
+        'rebound-name': say(si ? 'result.rebound_si' : 'result.rebound'),
         rebound: full,
         'rebound-short': short,
         tangential: tangential ? withError(tangential.value, tangential.error ?? 0) : '',
@@ -154,26 +153,26 @@ export function createResults() {
       find('rebound-row', HTMLElement).hidden = full === '';
       find('yield', HTMLElement).classList.toggle('problem', result.yieldWarning !== undefined);
       section.dataset.stage = stage;
-      const aim = `accurate to ${tangential ? '10⁻² of the sliding velocity' : '10⁻³ of 1 − ε², or to 10⁻⁶'}`;
-      reached = stage === 'first' ? 'first value, refining' : `${result.converged ? '' : 'not '}${aim}`;
+      const aim = say(tangential ? 'result.aim_tangential' : 'result.aim');
+      reached = stage === 'first' ? say('result.first') : say(result.converged ? 'result.reached' : 'result.not_reached', { aim });
       mark(section.dataset.stale === 'wrong' ? 'wrong' : '');
       const lines = flags(result);
       find('flags', HTMLElement).replaceChildren(...lines.flatMap((line) => [line, document.createElement('br')]));
       if (stage === 'first') return;
-      const speed = `${significant(result.speed, 4)} ${si ? 'metres per second' : 'c'}`;
+      const speed = `${significant(result.speed, 4)} ${si ? say('spoken.speed') : 'c'}`;
       timer = window.setTimeout(() => {
         spoken.textContent = [
-          `Restitution ${spokenOf('epsilon')} at ${speed}.`,
-          tangential ? `Tangential restitution ${spokenOf('tangential')}.` : `Lost share ${spokenOf('lost')}.`, ...lines,
+          say('spoken.restitution', { value: spokenOf('epsilon'), speed }),
+          tangential ? say('spoken.tangential', { value: spokenOf('tangential') }) : say('spoken.lost', { value: spokenOf('lost') }), ...lines,
         ].join(' ');
       }, 800);
     },
     /** Say that what is shown belongs to earlier inputs: because some are wrong, or because new ones are computed. */
     stale(why: Age): void {
       mark(why);
-      if (why === 'wrong') state.textContent = reached === '' ? 'no result yet' : 'of the last inputs in range';
+      if (why === 'wrong') state.textContent = say(reached === '' ? 'result.none' : 'result.last');
       if (why === 'computing') soon = window.setTimeout(() => {
-        state.textContent = reached === '' ? 'computing' : 'computing; this is the last value';
+        state.textContent = say(reached === '' ? 'result.computing' : 'result.computing_again');
         section.dataset.slow = '';
       }, noticeable);
     },

@@ -19,7 +19,7 @@ export interface Audience {
 }
 
 /** While inputs change faster than this, in ms, only the first value is computed. */
-const settle = 150;
+export const settle = 150;
 
 /** A first value that takes longer than this, in ms, gives way to newer inputs; a faster one is worth waiting for. */
 const patience = 250;
@@ -86,7 +86,7 @@ export function createSession(core: Core, audience: Audience): (encounter: Encou
 }
 
 /** Wait, unless the signal is aborted. */
-function pause(time: number, signal: AbortSignal): Promise<void> {
+export function pause(time: number, signal: AbortSignal): Promise<void> {
   return new Promise((resolve, reject) => {
     const timer = setTimeout(resolve, time);
     signal.addEventListener('abort', () => {

@@ -3,6 +3,7 @@ import type { Curve } from '../charts/curve_picture';
 import type { Core, Encounter } from '../core/protocol';
 import { find, messageOf } from '../drawing/dom';
 import { type Picture, download, pngOf, textOf } from '../drawing/pictures';
+import { say } from '../drawing/words';
 import { toAddress } from '../inputs/address';
 import { type Inputs, defaults } from '../inputs/inputs';
 import { commandLine, curveCsv, pythonLines, ruleArguments } from '../inputs/lines';
@@ -19,39 +20,39 @@ export function createShare(
   const line = find('command-line', HTMLElement);
   const python = find('python-lines', HTMLElement);
   const done = find('done', HTMLElement);
-  const say = (text: string): void => void (done.textContent = text);
+  const tell = (text: string): void => void (done.textContent = text);
 
   const on = (id: string, act: () => Promise<string> | string): void =>
     find(id, HTMLButtonElement).addEventListener('click', async () => {
       try {
-        say(await act());
+        tell(await act());
       } catch (error) {
-        say(messageOf(error));
+        tell(messageOf(error));
       }
     });
 
-  on('copy-command', () => copy(line, 'Command line copied.'));
-  on('copy-python', () => copy(python, 'Python lines copied.'));
+  on('copy-command', () => copy(line, say('share.command_copied')));
+  on('copy-python', () => copy(python, say('share.python_copied')));
   on('copy-link', async () => {
     await navigator.clipboard.writeText(new URL(`?${toAddress(inputs)}`, location.href).href);
-    return 'Link copied.';
+    return say('share.link_copied');
   });
   on('download-csv', () => {
     const { encounter, points, planned } = curveOf(inputs.encounter);
-    if (points.length === 0) return 'The curve has no point yet.';
+    if (points.length === 0) return say('share.no_point');
     download('stoss-restitution.csv', curveCsv(encounter, points), 'text/csv');
-    return points.length < planned.length ? `CSV with the ${points.length} points computed so far.` : 'CSV downloaded.';
+    return points.length < planned.length ? say('share.csv_part', { count: points.length }) : say('share.csv_done');
   });
   on('download-header', async () => {
     const button = find('download-header', HTMLButtonElement);
     const { encounter } = inputs;
     button.disabled = true;
-    say('Computing the table of the C header.');
+    tell(say('share.header_computing'));
     try {
       const [slowest, fastest] = endsOf(encounter);
       const text = await core('header', encounter, { slowest, fastest, error: headerError });
       download('restitution.h', text, 'text/x-c');
-      return `C header downloaded: ε(v) to an error of ${headerError}.`;
+      return say('share.header_done', { error: headerError });
     } finally {
       button.disabled = false;
     }
@@ -61,13 +62,13 @@ export function createShare(
   on('download-png', async () => {
     const [name, its] = chosen();
     download(`stoss-${name}.png`, await pngOf(its));
-    return 'PNG downloaded.';
+    return say('share.png_done');
   });
   on('download-svg', () => {
     const [name, its] = chosen();
-    if (!('svg' in its)) throw new Error('This picture is there as PNG only.');
+    if (!('svg' in its)) throw new Error(say('share.png_only'));
     download(`stoss-${name}.svg`, textOf(its.svg()), 'image/svg+xml');
-    return 'SVG downloaded.';
+    return say('share.svg_done');
   });
   picture.onchange = () => (find('download-svg', HTMLButtonElement).disabled = !('svg' in chosen()[1]));
 
@@ -85,6 +86,6 @@ async function copy(element: HTMLElement, success: string): Promise<string> {
     return success;
   } catch {
     getSelection()?.selectAllChildren(element);
-    return 'The browser does not let pages copy here: the text is selected, copy it with Ctrl+C.';
+    return say('share.selected');
   }
 }

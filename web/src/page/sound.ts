@@ -4,6 +4,7 @@ import { unitsOf } from '../core/local';
 import type { Collision, Core, Encounter, ModeEnergy } from '../core/protocol';
 import { find, messageOf } from '../drawing/dom';
 import { significant } from '../drawing/numbers';
+import { say } from '../drawing/words';
 import { meetingOf } from '../inputs/document';
 
 const rate = 44100;
@@ -20,10 +21,10 @@ export function pace(encounter: Encounter, modes: readonly ModeEnergy[], frequen
   const { si } = meetingOf(encounter);
   const lowest = Math.min(...modes.filter(({ after }) => after > 0).map(({ omega }) => omega * frequency));
   if (!Number.isFinite(lowest)) return undefined;
-  if (si && lowest <= 2 * Math.PI * highest) return { interval: 1 / rate, words: 'Played as it sounds.' };
+  if (si && lowest <= 2 * Math.PI * highest) return { interval: 1 / rate, words: say('sound.as_it_is') };
   const interval = (2 * Math.PI * pitch) / (rate * lowest);
-  const slower = si ? `${significant(1 / (rate * interval), 3)} times slower, ` : '';
-  return { interval, words: `Played ${slower}with its lowest mode at ${pitch} Hz.` };
+  const times = significant(1 / (rate * interval), 3);
+  return { interval, words: si ? say('sound.slower', { times, pitch }) : say('sound.pitch', { pitch }) };
 }
 
 /** Several sounds at once, as loud as it can be. */
@@ -43,7 +44,7 @@ export function createSound(core: Core) {
   async function play(): Promise<string> {
     const { encounter, speed, cutoff, collision: { modes } } = now!;
     const played = pace(encounter, modes, unitsOf(encounter).frequency);
-    if (!played) return 'Nothing vibrates.';
+    if (!played) return say('sound.nothing');
     const bodies = [...new Set(modes.filter(({ after }) => after > 0).map(({ body }) => body))];
     const given = { speed, cutoff, interval: played.interval, count: seconds * rate, quality };
     const parts = await Promise.allSettled(bodies.map((body) => core('sound', encounter, { ...given, body })));

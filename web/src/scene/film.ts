@@ -3,6 +3,7 @@
 import { bisector, max, range } from 'd3-array';
 import type { BodyFrame, Course, Frame } from '../core/protocol';
 import { interpolate, unitInWords, withUnit, written } from '../drawing/numbers';
+import { say } from '../drawing/words';
 
 export type Phase = 'approach' | 'compression' | 'restitution' | 'apart';
 
@@ -22,19 +23,19 @@ export function timeInWords(collision: Course, time: number): string {
 /** How much slower a film is that shows `span`, in units of time, within `seconds`. */
 export function slowness(span: number, unit: string, seconds: number): string {
   const each = span / seconds;
-  if (unit === 's') return `Slowed ${written(1 / each, 2)} times.`;
-  return `1 s of the film is ${written(each, 2)} ${unitInWords(unit)}.`;
+  if (unit === 's') return say('film.slowed', { times: written(1 / each, 2) });
+  return say('film.second', { time: `${written(each, 2)} ${unitInWords(unit)}` });
 }
 
 /** One sentence for those who do not see the picture. */
 export function describe(collision: Course, time: number): string {
-  const phase = phaseAt(collision, time);
+  const phase = say(`phase.${phaseAt(collision, time)}`);
   const touching = time >= collision.begin && time <= collision.end;
   const force = touching ? Math.max(0, interpolate(collision.time, collision.force, time)) : 0;
   const greatest = Math.max(0, max(collision.force) ?? 0);
   const share = greatest > 0 ? Math.round((100 * force) / greatest) : 0;
   const inWords = withUnit(force, collision.units.force, 3, greatest);
-  return `${phase}, time ${timeInWords(collision, time)}, force ${inWords}, ${share} % of the maximum`;
+  return say('film.describe', { phase, time: timeInWords(collision, time), force: inWords, share });
 }
 
 /** Times from `from` to `to`, coarse to fine: each level halves the distance of all before it. */

@@ -5,13 +5,14 @@ import type { ObliqueCollision } from '../core/protocol';
 import { box, write } from '../drawing/canvas';
 import { withUnit, written } from '../drawing/numbers';
 import { look, type Theme } from '../drawing/theme';
+import { type Word, say } from '../drawing/words';
 
 const OPEN = 2;
 const COLUMNS = 480;
 const ROWS = 161;
 
 /** What contact points do, in words; the numbers are those of the core. */
-export const GRIPS: [grip: number, words: string][] = [[0, 'sticks'], [1, 'slips up'], [-1, 'slips down']];
+export const GRIPS: [grip: number, words: Word][] = [[0, 'grip.sticks'], [1, 'grip.up'], [-1, 'grip.down']];
 
 export function colorOf(grip: number, theme: Theme): string {
   return look([0, 1, -1].indexOf(grip), theme).color;
@@ -79,9 +80,10 @@ export function drawStrip(
     ['0', left - 5, top + height / 2 + 4, 'right'], ['0', left, top + height + 14, 'left'],
     [withUnit(end - begin, units.time), left + width, top + height + 14, 'right'],
   ] as const) write(context, words, x, y, theme.muted, align, 11);
-  write(context, 'place in the contact, against time', left, place.y + 16, theme.text, 'left', 11);
+  write(context, say('grip.title'), left, place.y + 16, theme.text, 'left', 11);
   let x = left;
-  for (const [grip, words] of GRIPS) {
+  for (const [grip, name] of GRIPS) {
+    const words = say(name);
     box(context, colorOf(grip, theme), x, top + height + 22, 10, 10);
     write(context, words, x + 14, top + height + 32, theme.text, 'left', 12);
     x += 26 + context.measureText(words).width;

@@ -6,7 +6,9 @@ import { box, cleared, write } from '../drawing/canvas';
 import { messageOf } from '../drawing/dom';
 import { withUnit, written } from '../drawing/numbers';
 import type { Theme } from '../drawing/theme';
+import { say } from '../drawing/words';
 import { meetingOf } from '../inputs/document';
+import { gravity } from '../inputs/inputs';
 import { slowness } from './film';
 import { drawBody, drawWay } from './oblique_film';
 import { type Film, createPlayer } from './player';
@@ -31,9 +33,6 @@ export interface Room {
 }
 
 export type Surface = 'floor' | 'table';
-
-/** Standard gravity, m/s². */
-export const gravity = 9.80665;
 
 const TALLEST = 0.7; // m, of a table
 
@@ -113,7 +112,9 @@ async function hop(
     const value = (name: keyof typeof rule.quantities): number => rule.quantities[name]?.value ?? NaN;
     const [restitution, along] = [value('restitution'), value('tangential_restitution')];
     if (Number.isNaN(restitution)) throw new Error(rule.reason);
-    const words = `${impacts.length + 1}, ${surface}: ε ${written(restitution, 3)}, εₜ ${written(along, 3)}`;
+    const words = say('hops.impact', {
+      number: impacts.length + 1, surface: say(`hops.${surface}`), normal: written(restitution, 3), along: written(along, 3),
+    });
     impacts.push({ flight, words });
     flights.push(bounced(flight, surface,
       { restitution, tangential: value('tangential_after_si'), spin: value('spin_after_si') }));
@@ -136,14 +137,15 @@ function filmOf({ flights, impacts, end }: Awaited<ReturnType<typeof hop>>, room
   });
   const said = (time: number): string => {
     const { vx, spin } = at(time);
-    return `${withUnit(time, 's', 2)}, ${vx < 0 ? 'to the left' : 'to the right'}, spin ${written(spin, 3)} rad/s`;
+    return say(vx < 0 ? 'hops.left' : 'hops.right', { time: withUnit(time, 's', 2), spin: written(spin, 3) });
   };
   const all = impacts.map(({ words }) => words).join('; ');
   return {
     from, to: end, still: 0, said,
     describe: (time) => `${said(time)}; ${all}`,
-    note: (seconds) => `${all}. ${slowness(end - from, 's', seconds)} Between collisions it flies freely, with ` +
-      `gravity. Floor and table, ${withUnit(room.table, 'm')} apart, are alike.`,
+    note: (seconds) => say('hops.note', {
+      impacts: all, slowed: slowness(end - from, 's', seconds), distance: withUnit(room.table, 'm'),
+    }),
     height: () => HEIGHT,
     draw: (canvas, width, density, time, theme) =>
       drawHops(canvas, width, density, { impacts, now: at(time), ways, room }, theme),
@@ -171,7 +173,7 @@ function drawHops(
     write(context, String(n + 1), x, y > HEIGHT / 2 ? floor + 16 : top - 7, theme.text, 'center', 12);
   });
   const [x, y] = place(ways[0]![0]!);
-  write(context, 'from the hand', x + 2, y - 8, theme.muted, 'left', 12);
+  write(context, say('hops.hand'), x + 2, y - 8, theme.muted, 'left', 12);
   for (const way of ways) drawWay(context, way.map(place), theme);
   const radius = Math.max(5, scale * room.radius);
   drawBody(context, place(now), radius, now.angle, theme);
@@ -195,17 +197,17 @@ function drawSpin(
 
 /** Makes an empty scene in an element, which shows the hops that begin with a collision. */
 export function createHops(host: HTMLElement, core: Core) {
-  const player = createPlayer(host, 'Film of the hops');
+  const player = createPlayer(host, say('hops.name'));
   let asked: AbortController | undefined;
   return async (encounter: Encounter, motion: Motion): Promise<void> => {
     asked?.abort();
     const { signal } = (asked = new AbortController());
     const room = roomOf(meetingOf(encounter).first.body.radius, motion.speed);
-    player.say('Computing the hops …');
+    player.say(say('hops.computing'));
     try {
       player.show(filmOf(await hop(core, encounter, motion, room, signal), room));
     } catch (error) {
-      if (!signal.aborted) player.say(`The hops could not be computed: ${messageOf(error)}`, true);
+      if (!signal.aborted) player.say(say('hops.failed', { why: messageOf(error) }), true);
     }
   };
 }

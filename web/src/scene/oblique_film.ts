@@ -4,6 +4,7 @@ import type { Encounter, Motion, ObliqueCollision } from '../core/protocol';
 import { box, cleared, trace, write } from '../drawing/canvas';
 import { interpolate, roundDown, significant, written } from '../drawing/numbers';
 import type { Theme } from '../drawing/theme';
+import { say } from '../drawing/words';
 import { sizesOf } from '../inputs/document';
 import { describe, filmSpan, phaseAt, slowness, timeInWords } from './film';
 import { drawStrip, GRIPS, sharesAt, stripOf } from './grip_strip';
@@ -63,14 +64,14 @@ const isWide = (width: number): boolean => width >= WIDE;
 /** The angles to the normal at which bodies come and go, in words. */
 function anglesOf({ angle }: Motion, { velocity, tangential }: ObliqueCollision): string {
   const after = (180 / Math.PI) * Math.atan2(tangential.at(-1)!, -velocity.at(-1)!);
-  return `in at ${written(angle, 3)}°, out at ${written(after, 3)}°`;
+  return say('film.angles', { angle: written(angle, 3), after: written(after, 3) });
 }
 
 /** The contact at a time, in words. */
 export function gripInWords(collision: ObliqueCollision, time: number): string {
   const shares = sharesAt(collision, time);
   return GRIPS.filter(([grip]) => shares.has(grip))
-    .map(([grip, words]) => `${Math.round(100 * shares.get(grip)!)} % ${words}`).join(', ');
+    .map(([grip, words]) => `${Math.round(100 * shares.get(grip)!)} % ${say(words)}`).join(', ');
 }
 
 /** The film of a collision. */
@@ -82,12 +83,12 @@ export function filmOf(encounter: Encounter, motion: Motion, collision: ObliqueC
   const places = placesIn(collision, radii, magnification);
   const words = anglesOf(motion, collision);
   let strip: { dark: boolean; image: HTMLCanvasElement } | undefined;
-  const drawn = (magnification === 1 ? '' : ` Motion is drawn × ${significant(magnification, 3)}.`) +
-    (radii.length > 1 ? ' Seen from the common centre of mass.' : '');
+  const drawn = (magnification === 1 ? '' : say('film.motion', { factor: significant(magnification, 3) })) +
+    (radii.length > 1 ? say('film.centre') : '');
   return {
     from, to, still: 0.5 * (begin + end),
     describe: (time) => [describe(collision, time), gripInWords(collision, time), words].filter(Boolean).join('; '),
-    said: (time) => `${timeInWords(collision, time)}, ${phaseAt(collision, time)}`,
+    said: (time) => `${timeInWords(collision, time)}, ${say(`phase.${phaseAt(collision, time)}`)}`,
     note: (seconds) => slowness(to - from, units.time, seconds) + drawn,
     height: (width) => (isWide(width) ? BODIES : ABOVE + STRIP),
     draw(canvas, width, density, time, theme): void {
@@ -95,7 +96,7 @@ export function filmOf(encounter: Encounter, motion: Motion, collision: ObliqueC
       const share = isWide(width) ? Math.round(0.56 * width) : width;
       const height = isWide(width) ? BODIES : ABOVE;
       drawWays(context, { width: share, height }, radii, places, [from, time, to], theme);
-      write(context, `t = ${timeInWords(collision, time)}, ${phaseAt(collision, time)}`, 4, 16, theme.text);
+      write(context, `t = ${timeInWords(collision, time)}, ${say(`phase.${phaseAt(collision, time)}`)}`, 4, 16, theme.text);
       write(context, words, share - 4, 16, theme.muted, 'right');
       if (strip?.dark !== theme.dark) strip = { dark: theme.dark, image: stripOf(collision, theme) };
       drawStrip(context, isWide(width) ? { x: share + 8, y: 0, width: width - share - 8, height: BODIES }

@@ -5,6 +5,7 @@ import type { Frame } from '../core/protocol';
 import { box, cleared, write } from '../drawing/canvas';
 import { prefixFor, withUnit, written } from '../drawing/numbers';
 import type { Theme } from '../drawing/theme';
+import { say } from '../drawing/words';
 import { drawBodies } from './bodies';
 import { phaseAt, timeInWords } from './film';
 import { type Quantity, type Shade, cssOf, pixelOf, shadeOf } from './raster';
@@ -36,12 +37,12 @@ export function drawPicture(
   const to = { context, layout, density, width, theme, shade };
   drawBodies(to, frame, show.parts, show.magnification, show.meeting.against);
   context.restore();
-  write(context, `t = ${timeInWords(show.collision, time)}, ${phaseAt(show.collision, time)}`, 4, 16, theme.text);
+  write(context, `t = ${timeInWords(show.collision, time)}, ${say(`phase.${phaseAt(show.collision, time)}`)}`, 4, 16, theme.text);
   const { magnification } = show;
-  const words = magnification === 1 ? 'true displacements' : `displacements × ${magnification}`;
+  const words = magnification === 1 ? say('film.true') : say('film.magnified', { magnification });
   write(context, words, width - 4, 16, theme.muted, 'right');
   drawLegend(context, 8, layout.height + 2, width - 16, theme, shade, unitsOf(show.encounter).modulus,
-    rods ? 'stress |σ|' : 'von Mises stress');
+    say(rods ? 'film.rod_stress' : 'film.mises'));
 }
 
 /** Draws what the colours mean at the foot of a picture. `modulus`: that of the first body in Pa, where units are SI.
@@ -63,11 +64,11 @@ function drawLegend(
   const { size, unit } = prefixFor(end * (modulus ?? 1), modulus === undefined ? 'E' : 'Pa');
   const last = fringes ? ORDERS : (end * (modulus ?? 1)) / size;
   const scale = scaleLinear([0, last], [start, start + wide]);
-  const say = (text: string, x: number, y: number, color: string): void =>
+  const put = (text: string, x: number, y: number, color: string): void =>
     write(context, text, x, y, color, 'center', 11);
-  for (const tick of scale.ticks(5)) say(written(tick), scale(tick), top + 23, theme.muted);
-  const every = `fringe order, one every σ₁ − σ₂ = ${stressInWords(shade.unit, modulus)}`;
-  say(fringes ? every : `${name} / ${unit}`, start + wide / 2, top + 39, theme.text);
+  for (const tick of scale.ticks(5)) put(written(tick), scale(tick), top + 23, theme.muted);
+  const every = say('film.order', { stress: stressInWords(shade.unit, modulus) });
+  put(fringes ? every : `${name} / ${unit}`, start + wide / 2, top + 39, theme.text);
 }
 
 /** A stress in words: in SI with a prefix, else in the modulus of the first body. */

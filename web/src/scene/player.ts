@@ -5,6 +5,7 @@ import { fitCanvas } from '../drawing/canvas';
 import { choice, keyed, onResize } from '../drawing/dom';
 import type { Picture } from '../drawing/pictures';
 import { motionIsReduced, readTheme, type Theme } from '../drawing/theme';
+import { say } from '../drawing/words';
 import { advance, LENGTH, type Clock } from './film';
 
 /** What can be played. */
@@ -53,7 +54,7 @@ export function createPlayer(
 
   /** Brings all but the picture up to date. */
   function tell(): void {
-    const label = !film ? `${name}: not ready yet` : playing ? name : `${name}: ${film.describe(clock.time)}`;
+    const label = !film ? say('player.not_ready', { name }) : playing ? name : `${name}: ${film.describe(clock.time)}`;
     render(html`
       <div class="scene" @keydown=${onKey}>
         <canvas role="img" tabindex="0" aria-label=${label}></canvas>
@@ -74,12 +75,12 @@ export function createPlayer(
     const scrub = (event: Event): void => goTo(Number((event.target as HTMLInputElement).value) / PIECES);
     return html`
       <div class="scene-controls" role="group" aria-label=${name}>
-        ${button(playing ? 'Pause' : 'Play', playing ? PAUSE : PLAY, toggle, 'scene-play')}
-        ${button('Step back', BACK, () => step(-1))} ${button('Step forward', NEXT, () => step(1))}
-        <input type="range" class="scene-time" min="0" max=${PIECES} step="1" aria-label="Time in the film"
+        ${button(say(playing ? 'player.pause' : 'player.play'), playing ? PAUSE : PLAY, toggle, 'scene-play')}
+        ${button(say('player.back'), BACK, () => step(-1))} ${button(say('player.forward'), NEXT, () => step(1))}
+        <input type="range" class="scene-time" min="0" max=${PIECES} step="1" aria-label=${say('player.time')}
           aria-valuetext=${film?.said(clock.time) ?? ''} .value=${String(Math.round(PIECES * shareOf()))}
           ?disabled=${!film} @input=${scrub} />
-        ${choice('Playback', SPEEDS, speed, (factor) => {
+        ${choice(say('player.speed'), SPEEDS, speed, (factor) => {
           speed = factor;
           tellSpeed();
           tell();
@@ -185,7 +186,7 @@ export function createPlayer(
     seek: (time: number): void => go(time, false),
     picture: {
       canvas(): HTMLCanvasElement {
-        if (!film) throw new Error('there is no film to draw yet');
+        if (!film) throw new Error(say('player.nothing'));
         const copy = document.createElement('canvas');
         drawOn(copy, place.clientWidth || PRINT, film, 2);
         return copy;

@@ -3,6 +3,7 @@ import { max } from 'd3-array';
 import { nothing } from 'lit-html';
 import type { Collision, Core, Encounter, Frame, Grid, Motion, ObliqueCollision } from '../core/protocol';
 import { choice, messageOf } from '../drawing/dom';
+import { say } from '../drawing/words';
 import { type Meeting, meetingOf, sizesOf } from '../inputs/document';
 import { blockOf, lengthOf, sizeOf } from '../inputs/kinds';
 import { coarseToFine, describe, filmSpan, frameAt, insertFrame, phaseAt, slowness, timeInWords } from './film';
@@ -77,7 +78,7 @@ function showOf(of: Pick<Show, 'encounter' | 'meeting' | 'collision' | 'frames' 
   };
 }
 
-const COLORS: [Quantity, string][] = [['fringes', 'Fringes'], ['vonMises', 'von Mises stress']];
+const COLORS: [Quantity, string][] = [['fringes', say('film.fringes')], ['vonMises', say('film.mises')]];
 
 /** Makes an empty scene in an element. `cursor` is called whenever the film's time changes by itself or by its
  *  controls. */
@@ -86,19 +87,19 @@ export function createScene(host: HTMLElement, core: Core, cursor: (time: number
   let oblique = false; // such a film has no colours to choose
   let asked: AbortController | undefined;
   let quantity: Quantity = 'fringes';
-  const colors = () => choice('Colours', COLORS, quantity, (chosen) => {
+  const colors = () => choice(say('film.colours'), COLORS, quantity, (chosen) => {
     quantity = chosen;
     player.redraw();
   }, shown?.meeting.kind === 'rod');
-  const player = createPlayer(host, 'Film of the collision', cursor, () => (oblique ? nothing : colors()));
+  const player = createPlayer(host, say('film.name'), cursor, () => (oblique ? nothing : colors()));
 
   function film(show: Show): Film {
     const { from, to, collision, secondAtRest } = show;
-    const still = secondAtRest ? ' The second body is drawn at rest: its inside is not computed.' : '';
+    const still = secondAtRest ? say('film.at_rest') : '';
     return {
       from, to, still: 0.5 * (collision.begin + collision.end),
       describe: (time) => describe(collision, time),
-      said: (time) => `${timeInWords(collision, time)}, ${phaseAt(collision, time)}`,
+      said: (time) => `${timeInWords(collision, time)}, ${say(`phase.${phaseAt(collision, time)}`)}`,
       note: (seconds) => slowness(to - from, collision.units.time, seconds) + still,
       height: (width) => pictureHeight(show, width),
       draw(canvas, width, density, time, theme): void {
@@ -113,7 +114,7 @@ export function createScene(host: HTMLElement, core: Core, cursor: (time: number
     async show(encounter: Encounter, at: number, cutoff: number, collision: Collision): Promise<void> {
       asked?.abort();
       const mine = (asked = new AbortController());
-      player.say('Computing the film …');
+      player.say(say('film.computing'));
       let first = true;
       try {
         for await (const next of produce(core, encounter, at, cutoff, collision, mine.signal)) {
@@ -123,7 +124,7 @@ export function createScene(host: HTMLElement, core: Core, cursor: (time: number
           first = false;
         }
       } catch (error) {
-        if (!mine.signal.aborted) player.say(`The film could not be computed: ${messageOf(error)}`, true);
+        if (!mine.signal.aborted) player.say(say('film.failed', { why: messageOf(error) }), true);
       }
     },
     /** Shows an oblique one, by rigid bodies and by what sticks and slips. */

@@ -16,6 +16,9 @@ const executablePath = process.env.STOSS_CHROMIUM ?? '/usr/bin/chromium';
 export const missing = !existsSync(join(folder, 'index.html')) ? 'the page is not built' :
   !existsSync(executablePath) ? 'there is no Chromium' : '';
 
+/** What the page without a real ball begins with. */
+export const disk = '?body=disk&nu=0.33&v=0.1';
+
 const types: Record<string, string> = {
   '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.woff2': 'font/woff2',
   '.wasm': 'application/wasm',
@@ -23,7 +26,7 @@ const types: Record<string, string> = {
 
 export interface Site {
   /** A new page; what it logs as an error, or asks of the network beyond this site, is in `troubles`. */
-  open(query?: string, options?: BrowserContextOptions): Promise<Page>;
+  open(query?: string, options?: BrowserContextOptions, before?: (page: Page) => Promise<void>): Promise<Page>;
   readonly troubles: string[];
   readonly address: string;
   /** What was asked for so far, by its path: bytes after gzip. */
@@ -39,13 +42,13 @@ function answer(request: IncomingMessage, response: ServerResponse, question: st
 }
 
 /** Serve the page as any static server would, from a folder inside the site. */
-export async function startSite(): Promise<Site> {
+export async function startSite(root = folder): Promise<Site> {
   const transferred = new Map<string, number>();
   const server: Server = createServer((request, response) => {
     const { pathname } = new URL(request.url ?? '/', 'http://x');
     if (pathname.startsWith('/page-core/')) return void answer(request, response, pathname.slice(11));
     const path = pathname.replace(/^\/some\/folder/, '').replace(/\/$/, '/index.html');
-    readFile(join(folder, normalize(path))).then(
+    readFile(join(root, normalize(path))).then(
       (body) => {
         transferred.set(path, gzipSync(new Uint8Array(body)).length);
         response.writeHead(200, { 'content-type': types[extname(path)] ?? 'text/plain' }).end(body);
@@ -64,7 +67,7 @@ export async function startSite(): Promise<Site> {
     troubles,
     address,
     transferred,
-    async open(query = '', options = {}) {
+    async open(query = '', options = {}, before = async () => {}) {
       const context = await browser.newContext({ acceptDownloads: true, ...options });
       await context.grantPermissions(['clipboard-read', 'clipboard-write']);
       const page = await context.newPage();
@@ -78,6 +81,7 @@ export async function startSite(): Promise<Site> {
       page.on('response', (response) => {
         if (response.status() >= 400) troubles.push(`${response.status()} ${response.url()}`);
       });
+      await before(page);
       await page.goto(address + query);
       return page;
     },

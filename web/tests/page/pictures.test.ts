@@ -1,7 +1,7 @@
 // The pictures of the page, linked with each other and with the inputs.
 import type { Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
-import { type Site, missing, settled, startSite } from './browser';
+import { type Site, disk, missing, settled, startSite } from './browser';
 
 /** Wait until the film can be played, and stop it. */
 async function film(page: Page): Promise<void> {
@@ -19,7 +19,7 @@ describe.skipIf(missing !== '')(`the pictures of the page${missing && ` (${missi
   afterEach(() => expect(site.troubles.splice(0)).toEqual([]));
 
   it('share one cursor: the film and the charts in time', async () => {
-    const page = await site.open('', { viewport: { width: 1400, height: 1800 }, reducedMotion: 'reduce' });
+    const page = await site.open(disk, { viewport: { width: 1400, height: 1800 }, reducedMotion: 'reduce' });
     await film(page);
     const charts = (): Promise<string> => page.innerText('#time-charts');
     const [before, shown] = [await time(page), await charts()];
@@ -36,7 +36,7 @@ describe.skipIf(missing !== '')(`the pictures of the page${missing && ` (${missi
   });
 
   it('give the speed that is chosen in the curve', async () => {
-    const page = await site.open('', { viewport: { width: 1400, height: 1800 } });
+    const page = await site.open(disk, { viewport: { width: 1400, height: 1800 } });
     await film(page);
     const box = (await page.locator('#curve-chart').boundingBox())!;
     await page.mouse.click(box.x + 0.5 * box.width, box.y + 0.5 * box.height);

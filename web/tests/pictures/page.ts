@@ -1,17 +1,16 @@
 // Draws the page as the documentation shows it, docs/images/page.png and page_oblique.png:
 // npx vite-node tests/pictures/page.ts
 import { fileURLToPath } from 'node:url';
-import { settled, startSite } from '../page/browser';
+import { startSite } from '../page/browser';
 
 const site = await startSite();
-for (const [name, query, time, height] of [
-  ['page.png', 'body=sphere&nu=0.3&v=0.1&against=body&nu2=0.3&E2=1&rho2=1&R2=2', '130', 780],
-  ['page_oblique.png', 'body=disk&nu=0.33&v=0.1&mu=0.3&angle=30', '150', 760],
+for (const [name, query, time, width, height] of [
+  ['page.png', '', '130', 1200, 780],
+  ['page_oblique.png', '?body=disk&nu=0.33&v=0.1&mu=0.3&angle=30', '150', 1000, 760],
 ] as const) {
-  const page = await site.open(`?${query}`, {
-    viewport: { width: 1000, height }, colorScheme: 'light', reducedMotion: 'reduce',
+  const page = await site.open(query, {
+    viewport: { width, height }, colorScheme: 'light', reducedMotion: 'reduce',
   });
-  await settled(page);
   await page.waitForFunction(() => document.body.dataset.impact === 'current' &&
     !document.querySelector<HTMLInputElement>('.scene-time')!.disabled);
   await page.fill('#scene .scene-time', time);

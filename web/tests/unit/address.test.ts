@@ -2,8 +2,11 @@ import { describe, expect, it } from 'vitest';
 import { fromAddress, toAddress } from '../../src/inputs/address';
 import { problemsOf } from '../../src/inputs/check';
 import { equal } from '../../src/inputs/document';
-import { defaults, motionOf, presetOf, presets } from '../../src/inputs/inputs';
+import { withValue } from '../../src/inputs/fields';
+import { defaults, firstBall, isBall, motionOf, presetOf, presets, withAgainst } from '../../src/inputs/inputs';
 import { cases, obliqueCases } from './cases';
+
+const first = 'view=ball&material=structural%20steel&R';
 
 describe('the address', () => {
   it('is short and readable', () => {
@@ -28,7 +31,18 @@ describe('the address', () => {
     expect(fromAddress('body=disk&nu=0.33&v=0.1&version=1')).toEqual({ inputs: defaults, problem: '' });
   });
   it('without anything is the default', () => {
-    for (const text of ['', '?', '#']) expect(fromAddress(text)).toEqual({ inputs: defaults, problem: '' });
+    for (const text of ['', '?', '#']) expect(fromAddress(text)).toEqual({ inputs: firstBall, problem: '' });
+  });
+  it('of a real ball has names and a height, and gives every one back', () => {
+    expect(toAddress(firstBall)).toBe('view=ball&material=glass&R=0.008&material2=granite&drop=0.3');
+    const balls = presets.filter(({ encounter }) => isBall(encounter)).map(({ name: _, ...impact }) => ({ ...firstBall, ...impact }));
+    const pair = { ...firstBall, encounter: withAgainst(firstBall.encounter, 'same') };
+    const lossless = { ...firstBall, encounter: withValue(firstBall.encounter, 'loss_time2', 0) };
+    for (const inputs of [...balls, pair, lossless]) {
+      const { inputs: back, problem } = fromAddress(toAddress(inputs));
+      expect(problem).toBe('');
+      expect(back).toEqual(inputs);
+    }
   });
   it.each([
     ['body=cube&nu=0.3&v=0.2', 'body=disk&nu=0.3&v=0.2', 'body: got “cube”, allowed disk, sphere, rod'],
@@ -69,6 +83,9 @@ describe('the address', () => {
     ['nu=0.4&v=0.2&mu=6', 'body=disk&nu=0.4&v=0.2', 'Friction: got 6, allowed 0 to 5'],
     ['nu=0.4&v=0.2&mu=1&angle=91&spin=0.1', 'body=disk&nu=0.4&v=0.2&mu=1&spin=0.1', 'Angle: got 91, allowed -90 to 90'],
     ['nu=0.4&v=0.2&view=none', 'body=disk&nu=0.4&v=0.2', 'view: got “none”, allowed full, simple'],
+    ['view=ball&material=gold&R=0.01&drop=1', `${first}=0.01&material2=structural%20steel&drop=1`, 'material: got “gold”, allowed'],
+    ['view=ball&R=0.01&v=1', `${first}=0.01&material2=structural%20steel&drop=0.3`, 'drop: got none, allowed a number'],
+    ['view=ball&R=0.01&drop=-1', `${first}=0.01&material2=structural%20steel&drop=0.3`, 'Speed of approach: got -4.42869'],
   ])('keeps what is right of %s, and says in one line what is not', (text, right, line) => {
     const { inputs, problem } = fromAddress(text);
     expect(toAddress(inputs)).toBe(right);
@@ -78,7 +95,7 @@ describe('the address', () => {
   });
   it('of the simple view keeps it', () => {
     const { inputs, problem } = fromAddress('nu=0.4&v=0.2&view=simple');
-    expect([inputs.simple, problem]).toEqual([true, '']);
+    expect([inputs.view, problem]).toEqual(['simple', '']);
     expect(toAddress(inputs)).toBe('body=disk&nu=0.4&v=0.2&view=simple');
   });
   it('tells a few of many problems', () => {

@@ -2,7 +2,7 @@
 import { expect, it } from 'vitest';
 import { fromAddress, toAddress } from '../../src/inputs/address';
 import { problemsOf } from '../../src/inputs/check';
-import { motionOf } from '../../src/inputs/inputs';
+import { firstBall, motionOf } from '../../src/inputs/inputs';
 import { cases, obliqueCases } from './cases';
 
 /** Always the same numbers from 0 to 1 (Mulberry32). */
@@ -19,12 +19,12 @@ function randomFrom(seed: number): () => number {
 const words = ['&', '=', ':', ',', '?', '#', '%', '%0A', '%00', '%E2%80%A8', '%ED%A0%80', '+', ' ', '\n', '\u2212', '\ud800', '-', '.',
   'e9', 'e400', '0', '1', 'nan', 'Infinity', '0x1', '1_0', '__proto__', 'constructor', 'body=', 'against=', 'keep=', 'file=',
   'units=SI', 'plane=strain', 'disk', 'sphere', 'rod', 'plate', 'half-space', 'same', 'body', 'wall', 'nu=', 'nu2=', 'v=', 'mu=1', 'angle=',
-  'spin=', 'spin2=', '<b>', '0,1', `0,${'1'.repeat(9999)}`, '9'.repeat(9999), '&a=1'.repeat(999), '&keep=body:disk,nu:0.3'.repeat(99)];
+  'spin=', 'spin2=', 'view=ball', 'material=', 'glass', 'drop=', 'R=', '<b>', '0,1', `0,${'1'.repeat(9999)}`, '9'.repeat(9999), '&a=1'.repeat(999), '&keep=body:disk,nu:0.3'.repeat(99)];
 
 it('is read whatever it is', () => {
   const random = randomFrom(1);
   const one = <Item>(items: readonly Item[]): Item => items[Math.floor(random() * items.length)]!;
-  const whole = [...cases, ...obliqueCases].map(toAddress);
+  const whole = [...cases, ...obliqueCases, firstBall].map(toAddress);
   const damaged = (): string => {
     let text = one(whole);
     for (let count = 1 + Math.floor(4 * random()); count > 0; --count) {

@@ -1,8 +1,10 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { renderEquations, withoutUnusedFonts } from '../../plugins/equations';
+import words from '#words';
+import { renderEquations, withoutUnusedFonts, withWords } from '../../plugins/equations';
 
-const text = readFileSync(new URL('../../src/page/how_it_works.html', import.meta.url), 'utf8');
+const page = readFileSync(new URL('../../index.html', import.meta.url), 'utf8');
+const text = withWords(page, words);
 const rendered = renderEquations(text);
 
 describe('equations', () => {
@@ -18,7 +20,8 @@ describe('equations', () => {
     const used = others.filter((name) => new RegExp(`class="[^"]*\\b${name}\\b`).test(rendered));
     expect(used).toEqual([]);
   });
-  it('that are wrong stop the build', () => {
+  it('that are wrong stop the build, and so do words that are not in the table', () => {
+    expect(() => withWords('{{page.titel}}', words)).toThrow('words.json has no “page.titel”');
     expect(() => renderEquations('<tex>\\frac{1</tex>')).toThrow();
   });
   it('bring woff2 only', () => {

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { type flown, bounced, gravity, landing, meeting, roomOf, thrown } from '../../src/scene/hop_film';
+import { type flown, bounced, landing, meeting, roomOf, thrown } from '../../src/scene/hop_film';
+import { gravity } from '../../src/inputs/inputs';
 
 const room = roomOf(0.025, 5);
 const energy = ({ vx, vy, y }: ReturnType<typeof flown>): number => 0.5 * (vx ** 2 + vy ** 2) + gravity * y;

@@ -4,18 +4,19 @@ import { barOf, endsOfSpread, modelInWords, modelPoints } from '../../src/charts
 import type { Core, Encounter, Prediction } from '../../src/core/protocol';
 import { bandInWords } from '../../src/drawing/numbers';
 import { meetingOf } from '../../src/inputs/document';
-import { defaults, presets } from '../../src/inputs/inputs';
+import { defaults, gravity, presets } from '../../src/inputs/inputs';
 import { influenceInWords, isPredicted, shareInWords, uncertaintiesInWords } from '../../src/page/prediction_view';
 import { createPredictions } from '../../src/page/background';
 import { cases, like, made } from './cases';
 
-const marble = presets[1]!.encounter;
+const marble = presets[0]!.encounter;
 
 function predicted(speed: number, restitution: number, more: Partial<Prediction> = {}): Prediction {
   const of = (value: number) => ({ value, unit: '', help: '' });
   const quantities = {
     restitution: { ...of(restitution), error: 2e-6 }, models_low: of(restitution - 0.1),
     models_high: of(restitution + 0.1), by_models: of(0.1), by_constants: of(0.123),
+    rebound_height: of((restitution * speed) ** 2 / (2 * gravity)),
   };
   return { speed, quantities, channels: [], dominant: 'yield', influences: [], warnings: [], ...more };
 }
@@ -38,22 +39,22 @@ describe('real materials', () => {
     expect(bandInWords(0.984493, 0.98448, 0.984505)).toEqual({ value: '0.984493', band: '0.984480 to 0.984505' });
     expect(bandInWords(0, 0, 0)).toEqual({ value: '0.00', band: '0.00 to 0.00' });
     expect(bandInWords(NaN, NaN, NaN).value).toBe('–');
-    expect([0, 1e-7, 0.33718, NaN].map(shareInWords)).toEqual(['0 %', '< 0.001 %', '33.7 %', '– %']);
+    expect([0, 1e-7, 0.33718, NaN].map(shareInWords)).toEqual(['0\u00a0%', '< 0.001\u00a0%', '33.7\u00a0%', '–\u00a0%']);
   });
   it('have three uncertainties side by side', () => {
-    const { value, uncertain } = uncertaintiesInWords(predicted(1, 0.8135));
-    expect(value).toBe('0.81');
-    expect(uncertain).toMatch(/^± .* numerical, ± 0\.10? spread of models, ± 0\.12 constants$/);
+    expect(uncertaintiesInWords(predicted(1, 0.8135))).toEqual({
+      value: '0.81', rebound: '3.4\u00a0cm', numerical: '± 2×10⁻⁶', byModels: '± 0.1', byConstants: '± 0.12',
+    });
     const { quantities } = predicted(1, 0.8135);
     const exact = { ...quantities, by_models: { value: 0, unit: '', help: '' }, by_constants: { value: 0, unit: '', help: '' } };
-    expect(uncertaintiesInWords(predicted(1, 0.8135, { quantities: exact })).uncertain).toContain(
-      '± 0 spread of models, constants taken as exact');
+    const { byModels, byConstants } = uncertaintiesInWords(predicted(1, 0.8135, { quantities: exact }));
+    expect([byModels, byConstants]).toEqual(['± 0', 'taken as exact']);
   });
   it('name the constant that matters most', () => {
     expect(influenceInWords(predicted(1, 0.8))).toBe('');
     const influences = [{ constant: 'against.loss_time', uncertainty: 2, change: -0.02 }];
     expect(influenceInWords(predicted(1, 0.8, { influences }))).toBe(
-      '± 0.12 in all; loss time of what it meets × 3: −0.02');
+      'The constants are not known exactly: ± 0.12 in all; loss time of what it meets × 3: −0.02 of ε.');
   });
 });
 

@@ -1,0 +1,41 @@
+// What readers with other means than the eye and the mouse get: the rules of axe-core, and the keyboard alone.
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import type { AxeResults } from 'axe-core';
+import type { Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { type Site, missing, startSite } from './browser';
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+/** What breaks a rule: its name, with the elements that do. */
+async function violations(page: Page): Promise<string[]> {
+  await page.evaluate(axe);
+  const { violations: all } = await page.evaluate(() =>
+    (window as unknown as { axe: { run(): Promise<AxeResults> } }).axe.run());
+  return all.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`);
+}
+
+describe.skipIf(missing !== '')(`the page${missing && ` (${missing})`}`, () => {
+  let site: Site;
+  beforeAll(async () => void (site = await startSite()), 60_000);
+  afterAll(() => site.close());
+  afterEach(() => expect(site.troubles.splice(0)).toEqual([]));
+
+  const marble = 'body=sphere&units=SI&nu=0.22&E=7e10&rho=2500&R=0.008&eta=1.5915494309189534e-8&v=1';
+  const [desk, phone] = [{ width: 1280, height: 900 }, { width: 360, height: 740 }];
+  it.each([
+    ['of the real ball', '', desk, 'light'], ['of the real ball on a phone', '', phone, 'dark'],
+    ['of the real ball with friction', 'view=ball&material=rubber&R=0.02&material2=granite&drop=0.5&mu=0.5', desk, 'light'],
+    ['without dimensions', 'body=disk&nu=0.33&v=0.1', desk, 'light'], ['of a ball in SI', marble, desk, 'light'],
+    ['in the dark', marble, desk, 'dark'], ['in the simple view', `${marble}&view=simple`, desk, 'light'],
+    ['with friction', `${marble}&mu=0.3&angle=20`, desk, 'light'], ['on a phone', marble, phone, 'light'],
+    ['in the simple view on a phone', `${marble}&view=simple`, phone, 'light'],
+  ] as const)('keeps the rules of axe-core %s', async (_, query, viewport, colorScheme) => {
+    const page = await site.open(`?${query}`, { viewport, colorScheme, reducedMotion: 'reduce' });
+    await page.waitForFunction(() => document.body.dataset.impact === 'current');
+    expect(await violations(page)).toEqual([]);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
+    await page.context().close();
+  });
+}, 60_000);
