@@ -1,22 +1,19 @@
 import { readFileSync } from 'node:fs';
-import { resolve } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 import { equations } from './plugins/equations';
 
 const project = readFileSync(new URL('../CMakeLists.txt', import.meta.url), 'utf8');
 const version = /project\(stoss VERSION ([0-9.]+)/.exec(project)?.[1];
 if (version === undefined) throw new Error('CMakeLists.txt: the version of the project is not where it was');
-// Another table is a translation.
-const table = resolve(process.env.STOSS_WORDS ?? fileURLToPath(new URL('src/words.json', import.meta.url)));
-const words = JSON.parse(readFileSync(table, 'utf8')) as Record<string, string>;
+const read = (file: string | URL) => JSON.parse(readFileSync(file, 'utf8')) as Record<string, string>;
+// Words that a translation does not have are English.
+const words = { ...read(new URL('words.json', import.meta.url)), ...(process.env.STOSS_WORDS ? read(process.env.STOSS_WORDS) : {}) };
 
 // The page is served from any folder: all addresses are relative. STOSS_DOCUMENTATION is the address of the manual,
 // which may be relative too; without it the page has no link to one.
 export default defineConfig({
   define: { STOSS_VERSION: JSON.stringify(version) },
   base: './',
-  resolve: { alias: { '#words': table } },
   plugins: [equations(process.env.STOSS_DOCUMENTATION ?? '', words)],
   build: { outDir: '../build/web', emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0 },
   worker: { format: 'es' },

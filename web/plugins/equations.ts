@@ -38,6 +38,10 @@ export function equations(documentation: string, words: Readonly<Record<string, 
   return {
     name: 'stoss-equations',
     enforce: 'pre',
+    resolveId: (id) => (id === '#words' ? '\0words' : null),
+    // What stands in index.html only is not needed twice.
+    load: (id) => (id === '\0words' ? `export default ${JSON.stringify(
+      Object.fromEntries(Object.entries(words).filter(([name]) => !name.startsWith('how.'))))}` : null),
     transformIndexHtml: {
       order: 'pre',
       handler(html, { filename }) {

@@ -19,7 +19,7 @@ import { createAddressBar } from './page/address_bar';
 import { createAngles, createCurves, createPredictions } from './page/background';
 import { createControls } from './page/controls';
 import { showKept } from './page/kept_view';
-import { createPredictionView, isPredicted } from './page/prediction_view';
+import { createPredictionView, isPredicted, spokenOf } from './page/prediction_view';
 import { createResults } from './page/results';
 import { createSession, settle } from './page/session';
 import { createShare } from './page/share';
@@ -56,6 +56,7 @@ const predictions = createPredictions(core, {
   one(encounter, prediction) {
     runFilm();
     predictionView.show(encounter, prediction);
+    if (inputs.view === 'ball' && prediction.influences.length > 0) results.speak(spokenOf(prediction));
     worksheet.show(inputs, prediction);
     markFirstValue();
   },
@@ -82,6 +83,7 @@ const controls = createControls(inputs, {
   wrong() {
     touched = true;
     results.stale('wrong');
+    predictionView.stale();
     worksheet.wait();
   },
 });
@@ -89,12 +91,12 @@ const controls = createControls(inputs, {
 const run = createSession(core, {
   began,
   first(encounter, result, motion) {
-    results.show(encounter, result, 'first');
+    results.show(encounter, result, 'first', false);
     showPoint(result, motion);
     if (inputs.view !== 'ball') markFirstValue();
   },
   final(encounter, result, motion) {
-    results.show(encounter, result, 'final');
+    results.show(encounter, result, 'final', inputs.view !== 'ball' || motion.friction !== 0);
     showPoint(result, motion);
     if (motion.friction !== 0) void angles(encounter, motion);
     if (hasHops(encounter, motion)) void hops(encounter, motion);

@@ -17,7 +17,7 @@ export const version = STOSS_VERSION;
 /** The tolerance of the command and of Python where none is given. */
 const usualTolerance = 1e-3;
 
-/** Who meets whom, in one line: disk ν 0.33; steel sphere 10 mm at a glass half-space. */
+/** Who meets whom, in one line: disk ν 0.33; steel sphere R 10 mm at a glass half-space. */
 export function description(encounter: Encounter): string {
   const { against, si, first, second } = meetingOf(encounter);
   const words = inWords(first, si);
@@ -32,7 +32,7 @@ function inWords({ kind, si, body, second, fields, material, strain, file }: Sid
     ...(material ? [`${material.name} ${kind.name}`] : [kind.name]),
     ...(!material && fields.includes('poisson') ? [`ν ${significant(body.poisson, 4)}`] : []),
     ...(!material && (si || second) ? [`E ${withPrefix(body.young, si ? 'Pa' : '')}`] : []),
-    ...(size ? [si ? withPrefix(body[size], 'm') : `${names[size][0]} ${significant(body[size], 3)}`] : []),
+    ...(size ? [`${names[size][0]} ${si ? withPrefix(body[size], 'm') : significant(body[size], 3)}`] : []),
     ...(!material && body.loss_time !== 0 ? [`η ${significant(body.loss_time, 3)}`] : []),
     ...(strain && !second ? [say('encounter.strain')] : []),
   ].join(' ');

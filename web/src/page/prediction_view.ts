@@ -33,6 +33,14 @@ export function uncertaintiesInWords({ quantities, influences }: Prediction) {
   };
 }
 
+/** A prediction for screen readers. */
+export function spokenOf(prediction: Prediction): string {
+  const { value, rebound, numerical, byModels, byConstants } = uncertaintiesInWords(prediction);
+  const error = say('spoken.error');
+  const [a, b, c] = [numerical, byModels, byConstants].map((each) => each.replace('±', error)) as [string, string, string];
+  return say('spoken.prediction', { value, rebound, numerical: a, models: b, constants: c });
+}
+
 /** A height of a drop, as a ruler shows it. */
 export function heightInWords(height: number, digits = 3): string {
   const [size, unit] = height >= 1 ? [1, 'm'] : height >= 0.01 ? [0.01, 'cm'] : [0.001, 'mm'];
@@ -136,6 +144,8 @@ export function createPredictionView() {
       content.dataset.stale = '';
       tell(empty ? say('result.computing') : '');
     },
+    /** What is shown belongs to earlier inputs. */
+    stale: (): void => void (content.dataset.stale = ''),
     show(encounter: Encounter, prediction: Prediction): void {
       empty = false;
       delete content.dataset.stale;

@@ -122,14 +122,21 @@ export function createResults() {
     if (why === '') delete section.dataset.stale;
     else section.dataset.stale = why;
     clearTimeout(soon);
-    clearTimeout(timer);
+    if (why !== '') clearTimeout(timer);
     delete section.dataset.slow;
     if (why === '') state.textContent = reached;
   };
 
+  /** Tell screen readers, once it stays. */
+  const speak = (line: string): void => {
+    clearTimeout(timer);
+    timer = window.setTimeout(() => (spoken.textContent = line), 800);
+  };
+
   return {
-    /** Show a result; of the final one screen readers are told, once it stays. */
-    show(encounter: Encounter, result: Restitution, stage: Stage): void {
+    speak,
+    /** Show a result; of the final one screen readers are told, unless there is a prediction to tell. */
+    show(encounter: Encounter, result: Restitution, stage: Stage, aloud: boolean): void {
       const { si } = meetingOf(encounter);
       const epsilon: Number = result.quantities.restitution ?? { value: NaN, unit: '' };
       const { full, short } = reboundInWords(encounter, result);
@@ -158,14 +165,12 @@ export function createResults() {
       mark(section.dataset.stale === 'wrong' ? 'wrong' : '');
       const lines = flags(result);
       find('flags', HTMLElement).replaceChildren(...lines.flatMap((line) => [line, document.createElement('br')]));
-      if (stage === 'first') return;
+      if (stage === 'first' || !aloud) return;
       const speed = `${significant(result.speed, 4)} ${si ? say('spoken.speed') : 'c'}`;
-      timer = window.setTimeout(() => {
-        spoken.textContent = [
-          say('spoken.restitution', { value: spokenOf('epsilon'), speed }),
-          tangential ? say('spoken.tangential', { value: spokenOf('tangential') }) : say('spoken.lost', { value: spokenOf('lost') }), ...lines,
-        ].join(' ');
-      }, 800);
+      speak([
+        say('spoken.restitution', { value: spokenOf('epsilon'), speed }),
+        tangential ? say('spoken.tangential', { value: spokenOf('tangential') }) : say('spoken.lost', { value: spokenOf('lost') }), ...lines,
+      ].join(' '));
     },
     /** Say that what is shown belongs to earlier inputs: because some are wrong, or because new ones are computed. */
     stale(why: Age): void {

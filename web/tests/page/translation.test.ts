@@ -1,13 +1,14 @@
 // A translation is one file: where all words of the table are marked, a reader finds no other words but those of the core.
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import words from '#words';
 import { kinds, materials, ranges } from '../../src/generated/kinds';
 import { type Site, disk, missing, startSite } from './browser';
+
+const words = JSON.parse(readFileSync(new URL('../../words.json', import.meta.url), 'utf8')) as Record<string, string>;
 
 /** Words of the core's tables, of units, of series and of names. */
 const known = new Set(`stoss log rad kHz MHz GHz GPa MPa ${JSON.stringify([kinds, materials, ranges])}`.match(/[A-Za-z]{3,}/g));

@@ -1,9 +1,9 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import words from '#words';
 import { renderEquations, withoutUnusedFonts, withWords } from '../../plugins/equations';
 
 const page = readFileSync(new URL('../../index.html', import.meta.url), 'utf8');
+const words = JSON.parse(readFileSync(new URL('../../words.json', import.meta.url), 'utf8')) as Record<string, string>;
 const text = withWords(page, words);
 const rendered = renderEquations(text);
 

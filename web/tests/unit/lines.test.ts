@@ -54,7 +54,7 @@ describe('plates', () => {
     expect(pythonLines(cases[14]!)).toContain('block = stoss.Strip(thickness=0.03, loss_time=1e-9, material=stoss.Material(');
   });
   it('are said in a few words', () => {
-    expect(description(encounter)).toBe('bearing steel sphere 5 mm at glass plate 10 mm');
+    expect(description(encounter)).toBe('bearing steel sphere R 5 mm at glass plate h 10 mm');
     expect(description(cases[13]!.encounter)).toBe('sphere ν 0.3 at plate ν 0.2 E 0.5 h 2');
   });
 });
