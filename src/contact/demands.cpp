@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/touch.hpp"
-
 namespace stoss {
 namespace {
 
@@ -44,19 +42,6 @@ double force_free_distance(const Contact& contact, double reach, double speed, d
   }
   // Beyond the first spacing of nodes, where a hard contact begins to push, and some steps.
   return reach + 0.02 * half_width * half_width + speed / contact.cutoff;
-}
-
-double longest_duration(const Contact& contact) {
-  // R/c of the slower body. An impact of disks lasts 5 to 30; that of spheres grows as v^(−1/5), to 200 at v = 1e-8.
-  constexpr double usual = 200.0, of_balls = 1000.0;
-  // A contact that outlasts what stands for a half-space is given up soon after.
-  if (contact.gives_way) return echo_time(contact);
-  if (contact.unbounded) return 2.0 * echo_time(contact);
-  if (!touch(contact).circle) return usual * longest_time(contact);
-  // Of the mass of a sphere; heavier ones take longer, as Hertz has it.
-  constexpr double of_a_sphere = 4.1887902047863910;
-  const double heavier = std::pow(std::max(1.0, contact.whole_mass / of_a_sphere), 0.4);
-  return of_balls * heavier * longest_time(contact);
 }
 
 }  // namespace stoss

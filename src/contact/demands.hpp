@@ -19,7 +19,4 @@ namespace stoss {
 /// @param half_width of the contact that is expected
 [[nodiscard]] double force_free_distance(const Contact& contact, double reach, double speed, double half_width);
 
-/// Time after which a contact that has not ended will not.
-[[nodiscard]] double longest_duration(const Contact& contact);
-
 }  // namespace stoss

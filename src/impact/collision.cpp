@@ -15,6 +15,7 @@ namespace stoss {
 Collision::Collision(const Contact& contact, const FixedResolution& resolution, const ContactGrid& grid, double speed,
                      const std::optional<State>& start, const Poll& poll, Pressures* pressures)
     : contact_(contact),
+      ending_(ending(contact)),
       grid_(grid),
       speed_(speed),
       step_(resolution.step),
@@ -22,7 +23,7 @@ Collision::Collision(const Contact& contact, const FixedResolution& resolution, 
                          follows_at_once(contact, resolution.tail) ? Kicks::weaker : Kicks::whole)),
       pressures_(pressures),
       position_(grid.recess.size()),
-      velocity_(speed),
+      center_(contact.mass, resolution.step, speed),
       history_(resolution.step),
       lossy_(longest_loss_time(contact) > 0.0) {
   if (start) modes_.set(start->coordinate, start->momentum);
@@ -30,26 +31,21 @@ Collision::Collision(const Contact& contact, const FixedResolution& resolution, 
   const double energy_speed = start ? std::sqrt(speed * speed + 2.0 * modes_.energy() / contact.mass) : speed;
   response_ = make_response(contact, resolution.tail, grid, energy_speed, step_, poll);
   touch_ = response_->touch();
-  compression_ = start ? contact_.extent + start->center : response_->start(speed_ * step_);
-  if (pressures_ != nullptr) pressures_->begin(compression_);
+  center_.start(start ? contact_.extent + start->center : response_->start(speed_ * step_));
+  if (pressures_ != nullptr) pressures_->begin(compression());
   respond();
-  if (!is_long_range() && force_ > 0.0) {
+  if (!response_->is_long_range() && center_.force() > 0.0) {
     throw InvalidInput::conflict("start", "the body already touches the wall", "move its center back");
   }
-  // The first step has only the second half of the first kick.
-  velocity_ += 0.5 * force_ * step_ / contact_.mass;
+  center_.begin();
   modes_.begin();
   initial_velocity_ = velocity();
   initial_energy_ = translation() + modes_.energy() + response_->stored_energy();
   if (start) energy_before_ = modes_.energies();
 }
 
-double Collision::velocity() const { return velocity_ - 0.5 * force_ * step_ / contact_.mass; }
-
-double Collision::translation() const { return 0.5 * contact_.mass * velocity() * velocity(); }
-
 void Collision::respond() {
-  numeric::kernels::subtract_from(compression_, grid_.recess.data(), position_.size(), position_.data());
+  numeric::kernels::subtract_from(compression(), grid_.recess.data(), position_.size(), position_.data());
   modes_.add_displacement(position_);
   if (!history_.has_touched()) {
     foremost_before_ = foremost_;
@@ -58,33 +54,32 @@ void Collision::respond() {
   const std::vector<double>& force = response_->advance(position_);
   node_force_ = &force;
   const std::size_t extent = response_->extent();
-  force_ = std::accumulate(force.begin(), force.begin() + static_cast<std::ptrdiff_t>(extent), 0.0);
+  center_.load(std::accumulate(force.begin(), force.begin() + static_cast<std::ptrdiff_t>(extent), 0.0));
   modes_.load(force, extent);
-  if (pressures_ != nullptr) pressures_->add(force, *response_);
+  if (pressures_ != nullptr) pressures_->add(force, *response_, center_);
 }
 
 void Collision::advance() {
-  const double force_before = force_;
-  velocity_ -= force_ * step_ / contact_.mass;
-  compression_ += velocity_ * step_;
+  const double force_before = center_.force();
+  center_.advance();
   modes_.advance();
   respond();
-  history_.add_force(0.5 * (force_before + force_));
+  history_.add_force(0.5 * (force_before + center_.force()));
   record();
 }
 
 void Collision::record() {
-  history_.add(force_ > response_->contact_threshold(), since_touch());
+  history_.add(center_.force() > response_->contact_threshold(), since_touch());
   if (!history_.in_contact()) return;
   if (history_.samples_energy()) modes_.accumulate_energy();
-  history_.add_extent(compression_ - touch_, half_width());
+  history_.add_extent(compression() - touch_, half_width());
   reach_ = parted_ = -1.0;
 }
 
 double Collision::since_touch() const {
   // At a hard wall the foremost node has moved uniformly from its last position out of contact; it touches where the
   // foremost point of the whole surface does, which may still be to come.
-  if (is_long_range() || foremost_ <= foremost_before_) return 0.5;
+  if (response_->is_long_range() || foremost_ <= foremost_before_) return 0.5;
   const double touching = touch_ - grid_.recess.front();
   return std::min(1.0, (foremost_ - touching) / (foremost_ - foremost_before_));
 }
@@ -93,9 +88,9 @@ double Collision::half_width() const { return response_->half_width() * grid_.po
 
 bool Collision::over() {
   if (history_.in_contact() || velocity() >= 0.0) return false;
-  const auto clear = [this] { return compression_ + reach_ + response_->protrusion() < -response_->range(); };
+  const auto clear = [this] { return compression() + reach_ + response_->protrusion() < -response_->range(); };
   if (reach_ < 0.0 || (lossy_ && history_.steps() % ContactHistory::sampling == 0)) reach_ = modes_.reach();
-  if (!clear()) return contact_.gives_way ? clears_waves() : has_parted();
+  if (!clear()) return ending_.may_stay ? clears_waves() : has_parted();
   reach_ = modes_.reach();  // a soft wall has pushed on, below its threshold of contact
   return clear();
 }
@@ -103,11 +98,11 @@ bool Collision::over() {
 /// Without losses the flight of the modes can be seen ahead; the nodes that are still displaced swing back less.
 bool Collision::has_parted() {
   constexpr long pause = 8;  // steps after the contact, in which the nodes swing back
-  if (lossy_ || contact_.unbounded) return false;
+  if (!ending_.foreseen) return false;
   if (parted_ < 0.0 && history_.steps_apart() >= pause) {
     const double range = response_->protrusion() + response_->range();
     parted_ = history_.time() + time_to_part(modes_.in_flight(mode_tables(contact_, grid_, 4.0 * step_, Kicks::whole)),
-                                             grid_.recess, {compression_, velocity(), range});
+                                             grid_.recess, {compression(), velocity(), range});
   }
   return parted_ >= 0.0 && history_.time() >= parted_;
 }
@@ -117,10 +112,10 @@ bool Collision::has_parted() {
 bool Collision::clears_waves() {
   constexpr int looks = 48;
   constexpr double pause = 0.05;  // share of the time, before it is looked at again
-  const double now = history_.time(), left = echo_time(contact_) - now;
+  const double now = history_.time(), left = ending_.known - now;
   if (now < next_look_) return false;
   next_look_ = (1.0 + pause) * now;
-  const double place = compression_ + reach_ + response_->protrusion() + response_->range();
+  const double place = compression() + reach_ + response_->protrusion() + response_->range();
   for (int look = 0; look <= looks; ++look) {
     const double share = static_cast<double>(look) / looks, later = left * share * share;
     if (place + velocity() * later + modes_.waves_later(later) >= 0.0) return false;
@@ -128,18 +123,19 @@ bool Collision::clears_waves() {
   return true;
 }
 
-double Collision::remaining() const {
+Slowing Collision::slowing() const {
   // Of Hertz' contact, whose energy is 2/5 of force times compression, δ = a²·curvature.
-  const double width = half_width(), compression = width * width * touch(contact_).curvature;
-  return (translation() + 0.4 * force_ * compression) / initial_energy_;
+  const double width = half_width(), pressed = width * width * touch(contact_).curvature;
+  const double remaining = (translation() + 0.4 * center_.force() * pressed) / initial_energy_;
+  return {history_.time(), velocity(), remaining, history_.in_contact()};
 }
 
 Snapshot Collision::snapshot() const {
   Snapshot now;
   now.time = history_.time();
-  now.center = compression_ - contact_.extent;
+  now.center = compression() - contact_.extent;
   now.velocity = velocity();
-  now.force = force_ / contact_.first->mass;
+  now.force = center_.force() / contact_.first->mass;
   now.translation = translation() / initial_energy_;
   now.vibration = modes_.energy() / initial_energy_;
   now.stored = response_->stored_energy() / initial_energy_;
@@ -158,7 +154,7 @@ std::array<double, 2> Collision::dissipated() const {
 }
 
 State Collision::state() const {
-  return {compression_ - contact_.extent, velocity(), modes_.coordinate(), modes_.momentum()};
+  return {compression() - contact_.extent, velocity(), modes_.coordinate(), modes_.momentum()};
 }
 
 std::vector<double> Collision::node_force() const {

@@ -5,9 +5,12 @@
 #include <memory>
 #include <vector>
 
+#include "contact/ending.hpp"
 #include "contact/response.hpp"
+#include "contact/zener.hpp"
 #include "impact/contact_history.hpp"
 #include "impact/kept_modes.hpp"
+#include "impact/normal_motion.hpp"
 #include "impact/pressures.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
@@ -38,20 +41,18 @@ class Collision {
   /// The contact has reached the end of the grid, so that the result is void.
   [[nodiscard]] bool overflows() const { return !has_single_point(contact_) && response_->overflows(); }
 
-  /// What is met pushes at any distance, and may push on all of the edge.
-  [[nodiscard]] bool is_long_range() const { return response_->is_long_range(); }
-
   /// The body recedes and can touch the wall no more.
   [[nodiscard]] bool over();
 
-  /// Whether bodies touch.
-  [[nodiscard]] bool in_contact() const { return history_.in_contact(); }
+  [[nodiscard]] double compression() const { return center_.compression(); }
+  [[nodiscard]] double velocity() const { return center_.velocity(); }
 
-  /// Whether the first body recedes.
-  [[nodiscard]] bool recedes() const { return velocity() < 0.0; }
+  /// Energies.
+  [[nodiscard]] double translation() const { return center_.energy(); }
+  [[nodiscard]] double vibration() const { return modes_.energy(); }
 
-  /// Share of the energy of the translation at the start that it still has, or could get back from the compression.
-  [[nodiscard]] double remaining() const;
+  /// The motion along the normal at present.
+  [[nodiscard]] Slowing slowing() const;
 
   /// Distance from the wall that the free body must keep so as not to touch it, in its present vibration.
   [[nodiscard]] double clearance() const { return modes_.reach() + std::max(response_->range(), 0.0); }
@@ -74,11 +75,10 @@ class Collision {
   [[nodiscard]] double half_width() const;
   [[nodiscard]] bool clears_waves();
   [[nodiscard]] bool has_parted();
-  [[nodiscard]] double velocity() const;  // synchronous with the position
-  [[nodiscard]] double translation() const;
   [[nodiscard]] std::array<double, 2> dissipated() const;  // in the first and in the second body
 
   const Contact& contact_;
+  Ending ending_;
   const ContactGrid& grid_;
   double speed_;
   double step_;
@@ -89,11 +89,9 @@ class Collision {
   double foremost_ = 0.0;         // largest of them
   double foremost_before_ = 0.0;
 
-  double touch_ = 0.0;        // compression at which the contact begins to push
-  double compression_ = 0.0;  // extent + x₀, kept instead of x₀ for its digits at small speed
-  double velocity_;           // before the kick that is due
+  double touch_ = 0.0;  // compression at which the contact begins to push
+  NormalMotion center_;
   const std::vector<double>* node_force_ = nullptr;  // of response_
-  double force_ = 0.0;                               // total
   double initial_energy_;
   std::vector<double> energy_before_;  // of each mode, if any moves
   double initial_velocity_;

@@ -9,10 +9,10 @@
 namespace stoss {
 
 Rest::Rest(const Contact& contact, double speed, double steps)
-    : contact_(contact), speed_(speed), half_(std::lround(0.5 * steps)) {}
+    : contact_(contact), ending_(ending(contact)), speed_(speed), half_(std::lround(0.5 * steps)) {}
 
 bool Rest::ends(const Slowing& now) {
-  if (!contact_.gives_way) return false;
+  if (!ending_.may_stay) return false;
   rebound_ = rebound_of_staying(contact_, speed_, before_, now);
   return stays() || (!now.touches && now.velocity < 0.0);
 }
@@ -22,7 +22,7 @@ void Rest::show(Impact& impact) const {
   impact.restitution = 0.0;
   impact.lost_fraction = 1.0;
   impact.remaining = *rebound_ * *rebound_;
-  impact.contact_time = std::min(impact.contact_time, echo_time(contact_));  // it does not end
+  impact.contact_time = std::min(impact.contact_time, ending_.known);  // it does not end
   EnergyLedger& ledger = impact.energy;
   ledger.vibration += ledger.translation;
   ledger.lost_to_second += ledger.translation;
@@ -33,6 +33,11 @@ Outlasted::Outlasted(double contact_time, double echo)
     : NotConverged("impact: the contact lasts " + std::to_string(contact_time) +
                    " R/c, and the echo from where the part of the larger body ends is back after " +
                    std::to_string(echo)) {}
+
+void require_known_for(const Contact& contact, double contact_time) {
+  const double known = ending(contact).known;
+  if (contact_time > known) throw Outlasted(contact_time, known);
+}
 
 WholeBodies::WholeBodies(const Contact& contact, const Snapshot& start)
     : contact_(contact),
@@ -57,7 +62,7 @@ void WholeBodies::show(Snapshot& now) const {
 }
 
 void WholeBodies::show(Impact& impact) const {
-  if (impact.contact_time > echo_time(contact_)) throw Outlasted(impact.contact_time, echo_time(contact_));
+  require_known_for(contact_, impact.contact_time);
   if (part_ == 1.0) return;
   EnergyLedger& ledger = impact.energy;
   const double lost = 1.0 + impact.restitution;

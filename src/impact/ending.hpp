@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/ending.hpp"
 #include "contact/zener.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/errors.hpp"
@@ -16,7 +17,7 @@ class Rest {
   /// Adds an instant, and keeps the one at half of the time.
   template <typename Instant>
   void watch(long step, const Instant& instant) {
-    if (contact_.gives_way && step == half_) before_ = instant();
+    if (ending_.may_stay && step == half_) before_ = instant();
   }
 
   /// Asks whether it stays. @returns whether the impact ends so, as it has parted or stays
@@ -29,6 +30,7 @@ class Rest {
 
  private:
   const Contact& contact_;
+  Ending ending_;
   double speed_;
   long half_;
   Slowing before_;
@@ -40,6 +42,9 @@ class Outlasted : public NotConverged {
  public:
   Outlasted(double contact_time, double echo);
 };
+
+/// @throws Outlasted for a contact of this time
+void require_known_for(const Contact& contact, double contact_time);
 
 /// The motion and the energies of whole bodies, of which the near side of one has met the other (BodyPart).
 ///

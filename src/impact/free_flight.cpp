@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "contact/demands.hpp"
+#include "contact/ending.hpp"
 #include "contact/set_ups.hpp"
 #include "impact/recommended.hpp"
 #include "stoss/contact/grid.hpp"
@@ -34,7 +35,7 @@ double time_to_part(KeptModes modes, const std::vector<double>& recess, const Pa
 
 double time_before_touch(const Contact& contact, const State& touch) {
   const double speed = touch.velocity;
-  if (longest_loss_time(contact) > 0.0 || contact.unbounded) return clearance(contact, touch) / speed;
+  if (!ending(contact).foreseen) return clearance(contact, touch) / speed;
   constexpr double between_looks = 2.0;  // over 1/cutoff
   constexpr double margin = 0.05;        // of the reach, for what lies between the points
   constexpr int points = 32;

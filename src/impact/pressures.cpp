@@ -6,7 +6,7 @@
 
 namespace stoss {
 
-void Pressures::add(const std::vector<double>& force, const ContactResponse& response) {
+void Pressures::add(const std::vector<double>& force, const ContactResponse& response, const NormalMotion& center) {
   const bool first = force_before_.empty();
   nodes_ = force.size();
   force_before_.resize(nodes_);
@@ -24,6 +24,8 @@ void Pressures::add(const std::vector<double>& force, const ContactResponse& res
   }
   if (kept) {
     extent_.push_back(response.extent());
+    compression_.push_back(center.compression());
+    velocity_.push_back(center.velocity());
   } else {
     ++first_;
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact/response.hpp"
+#include "impact/normal_motion.hpp"
 #include "stoss/impact/impact.hpp"
 
 namespace stoss {
@@ -15,8 +16,8 @@ class Pressures {
   /// Starts at this compression.
   void begin(double compression) { start_ = compression; }
 
-  /// Adds a step, at first the instant before all steps. @param force of each node
-  void add(const std::vector<double>& force, const ContactResponse& response);
+  /// Adds a step, at first the instant before all steps. @param force of each node @param center at that instant
+  void add(const std::vector<double>& force, const ContactResponse& response, const NormalMotion& center);
 
   /// Forgets what follows the first step after the last force, which has the second half of its kick.
   void end_with_contact();
@@ -35,6 +36,10 @@ class Pressures {
   /// Number of leading nodes beyond which the forces of a step vanish.
   [[nodiscard]] std::size_t extent(std::size_t step) const { return extent_[step]; }
 
+  /// Of the motion along the normal in a step.
+  [[nodiscard]] double compression(std::size_t step) const { return compression_[step]; }
+  [[nodiscard]] double velocity(std::size_t step) const { return velocity_[step]; }
+
   /// D of all nodes in a step, where both directions are equally soft (edge_compliance_along).
   [[nodiscard]] const double* give(std::size_t step) const { return &give_[step * nodes_]; }
 
@@ -44,6 +49,7 @@ class Pressures {
   double start_ = 0.0;
   long first_ = 0;
   std::vector<double> force_, give_;
+  std::vector<double> compression_, velocity_;
   std::vector<std::size_t> extent_;
   std::vector<double> force_before_, gap_before_;  // of each node in the step before
 };

@@ -123,11 +123,12 @@ void add_alternative(const Contact& other, const Contact& resolved, double speed
                      const Group& group) {
   const double longer = other.first->scale.length / resolved.first->scale.length;
   try {
-    const Slides slides(other, speed, options_of(other, resolved, group.front()->finest.normal, options.poll));
+    const SharedNormalImpact shared(other, speed,
+                                    options_of(other, resolved, group.front()->finest.normal, options.poll));
     for (ObliqueRestitution* each : group) {
       Obliquity before = each->before;
       before.spin *= longer, before.second_spin *= longer;
-      const ObliqueImpact changed = slides.after(before, options.poll);
+      const ObliqueImpact changed = shared.with(before, options.poll);
       for (const auto& [estimate, value, turns] : doubtful) {
         const double unit = turns ? longer : 1.0;
         (each->*estimate).error += std::abs(value(changed) / unit - value(each->finest));

@@ -70,7 +70,9 @@ void NeglectedCoupling::prepare() {
     impacts_[0.0] = std::nullopt;
     return;
   }
-  slide_.emplace(*contact_, contacts_along(*contact_, poll_).front(), speed_, impacts_[0.0]->resolution, poll_);
+  const FixedResolution& resolution = impacts_[0.0]->resolution;
+  const ContactPoints points = contact_grid(*contact_, resolution.half_width, resolution.nodes).points;
+  response_.emplace(*contact_, contacts_along(*contact_, poll_).front(), points, resolution, 0, poll_);
 }
 
 const std::optional<OutwardImpact>& NeglectedCoupling::outward(double friction) {
@@ -103,13 +105,13 @@ Coupling NeglectedCoupling::at(const Obliquity& obliquity) {
   if (!rough) return unknown();
   Coupling change;
   change.dundurs = dundurs_;
-  change.restitution = rough->restitution - smooth.restitution;
+  change.restitution = rough->impact.restitution - smooth.impact.restitution;
   const ObliqueFrame frame(*contact_, speed_, {});
   const double sliding = frame.sliding(obliquity.tangential, obliquity.spin, obliquity.second_spin);
   if (sliding == 0.0) return change;
-  const AlongOutcome before = ObliqueFrame::unchanged(obliquity);
   const auto after = [&](const std::vector<OutwardStep>* outward, double momentum) {
-    return frame.settled(slide_->after(smooth.steps, outward, friction, before, sliding, poll_), friction, momentum);
+    return frame.settled(slide_on_rings(*response_, frame, smooth.steps, outward, obliquity, poll_), friction,
+                         momentum);
   };
   const AlongOutcome alone = after(nullptr, smooth.momentum), coupled = after(&rough->steps, smooth.momentum);
   change.tangential_after = coupled.tangential - alone.tangential;

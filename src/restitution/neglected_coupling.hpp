@@ -29,7 +29,7 @@ class NeglectedCoupling {
   double dundurs_ = 0.0;
   const Contact* contact_ = nullptr;  // null: the bodies are equal
   std::optional<Contact> outward_;
-  std::optional<RingSlide> slide_;
+  std::optional<TangentialResponse> response_;
   std::map<double, std::optional<OutwardImpact>> impacts_;  // by friction; empty: there is none
 };
 

@@ -113,8 +113,8 @@ double refine(const RefinableContact& contact, const ObliqueOptions& options, st
     if (!options.vibration.empty()) of_one.start = approach(resolved, speed, options.vibration);
     std::vector<ObliqueImpact> impacts;
     if (rough) {
-      const Slides slides(resolved, speed, of_one);
-      for (const ObliqueRestitution* each : open) impacts.push_back(slides.after(each->before, options.poll));
+      const SharedNormalImpact shared(resolved, speed, of_one);
+      for (const ObliqueRestitution* each : open) impacts.push_back(shared.with(each->before, options.poll));
     } else {
       for (const ObliqueRestitution* each : open) {
         impacts.push_back(oblique_impact(resolved, speed, each->before, of_one));

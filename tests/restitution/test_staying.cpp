@@ -183,6 +183,21 @@ TEST(StayingDisk, PartsFromThickStrips) {
   EXPECT_GT(restitution(contact, 0.01).restitution.value, 0.05);
 }
 
+// The contact on a strip goes on for long, and slowly: hardly any friction is as good as none.
+TEST(PartingDisk, HasOneAnswerWithHardlyAnyFriction) {
+  for (const double thickness : {1.6, 3.0}) {
+    for (const double speed : {0.01, 0.1}) {
+      const RefinableContact contact(disk(0.3), strip(Strip{.thickness = thickness, .poisson = 0.3}));
+      const auto with = [&](double friction) {
+        const Obliquity before{.tangential = 0.3 * speed, .friction = friction};
+        return oblique_restitution(contact, speed, std::vector{before}).front().restitution;
+      };
+      const Estimate none = with(0.0), hardly_any = with(1e-9);
+      EXPECT_NEAR(hardly_any.value, none.value, none.error + hardly_any.error) << thickness << ' ' << speed;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace staying_bodies
 }  // namespace stoss

@@ -89,17 +89,17 @@ struct ObliqueImpact {
 /// One normal impact with its pressures, from which every angle, spin and friction follows: for bodies in which both
 /// directions do not act on each other, as spheres are computed. It costs two impacts to make, and each outcome about
 /// as much as the steps of one. Outcomes depend on the obliquity divided by its friction alone, times the friction.
-class Slides {
+class SharedNormalImpact {
  public:
   /// @throws InvalidInput as oblique_impact, and for disks; NotConverged as `impact`
-  explicit Slides(const Contact& contact, double speed, const ImpactOptions& options = {});
+  explicit SharedNormalImpact(const Contact& contact, double speed, const ImpactOptions& options = {});
 
   /// The central impact.
   [[nodiscard]] const Impact& normal() const;
 
   /// The oblique impact that it is with this motion along the surface, and what is seen of it.
-  [[nodiscard]] ObliqueImpact after(const Obliquity& obliquity, const Poll& poll = {},
-                                    const ObliqueObservation& observation = {}) const;
+  [[nodiscard]] ObliqueImpact with(const Obliquity& obliquity, const Poll& poll = {},
+                                   const ObliqueObservation& observation = {}) const;
 
  private:
   struct Parts;

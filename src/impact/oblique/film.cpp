@@ -51,34 +51,19 @@ void show_points(std::vector<ObliquePoint>& points, double unit, ObliqueSnapshot
   now.points = points;
 }
 
-AlongMotion times(double factor, const AlongMotion& motion) {
-  const auto& [first, second] = motion.angle;
-  return {times(factor, motion.outcome), factor * motion.shift, {factor * first, factor * second}};
-}
-
-std::vector<Rub> times(double factor, std::vector<Rub> nodes) {
-  for (Rub& node : nodes) {
-    node.friction *= factor;
-    node.slip *= factor;
-  }
-  return nodes;
-}
-
 ObliqueFilm::ObliqueFilm(const NormalCourse& course, const Obliquity& before, const ObliqueObservation& observation)
-    : course_(course), before_(before), observation_(observation), normal_(course) {
+    : course_(course), before_(before), observation_(observation) {
   require_every(observation.every);
   if (!watched()) return;
   points_ = course.points;
   nodes_.resize(course.nodes.count);
 }
 
-bool ObliqueFilm::wanted() const {
-  return normal_.step() % observation_.every == 0 || normal_.step() == course_.impact.steps;
-}
+bool ObliqueFilm::wanted() const { return step_ % observation_.every == 0 || step_ == course_.impact.steps; }
 
 bool ObliqueFilm::advance() {
   if (!watched()) return false;
-  normal_.advance();
+  ++step_;
   return wanted();
 }
 
@@ -88,8 +73,8 @@ void ObliqueFilm::fly(long until, const AlongMotion& since) {
   for (std::size_t k = 0; k < 2; ++k) angle_[k] += since.angle[k];
   if (!begun_) show_flight(since.outcome);
   begun_ = true;
-  while (normal_.step() < until) {
-    normal_.advance();
+  while (step_ < until) {
+    ++step_;
     shift_ += since.outcome.tangential * course_.impact.resolution.step;
     for (std::size_t k = 0; k < 2; ++k) angle_[k] += since.outcome.spin[k] * course_.impact.resolution.step;
     if (wanted()) show_flight(since.outcome);
@@ -113,8 +98,9 @@ void ObliqueFilm::show(const AlongMotion& along, const std::vector<Rub>& nodes) 
 void ObliqueFilm::load(const std::vector<Rub>& nodes) {
   const std::size_t count = nodes.size();
   const double share = points_.size() > count ? 0.5 : 1.0;
+  const double* force = course_.at(step_).force;
   const auto set = [&](ObliquePoint& point, std::size_t i) {
-    point.pressure = share * normal_.force(i);
+    point.pressure = force == nullptr ? 0.0 : share * force[i];
     point.friction = share * nodes[i].friction;
     point.slip = nodes[i].slip;
     point.grip = static_cast<Grip>(nodes[i].sliding);
@@ -127,10 +113,10 @@ void ObliqueFilm::load(const std::vector<Rub>& nodes) {
 
 void ObliqueFilm::show_instant(const AlongMotion& along) {
   const ObliqueFrame& frame = course_.frame;
-  const double velocity = normal_.velocity();
-  const double elastic = frame.normal_energy - 0.5 * frame.mass * velocity * velocity;
-  ObliqueSnapshot now = frame.instant(normal_.time(), before_, velocity, along.outcome, elastic);
-  now.center = normal_.center();
+  const NormalInstant normal = course_.at(step_);
+  const double elastic = frame.normal_energy - 0.5 * frame.mass * normal.velocity * normal.velocity;
+  ObliqueSnapshot now = frame.instant(normal.time, before_, normal.velocity, along.outcome, elastic);
+  now.center = normal.center;
   now.shift = shift_ + along.shift;
   now.angle = angle_[0] + along.angle[0];
   now.second_angle = angle_[1] + along.angle[1];

@@ -22,26 +22,14 @@ namespace stoss {
 /// Sums up the points of an instant, and says what they do. @param unit force in units of which they are
 void show_points(std::vector<ObliquePoint>& points, double unit, ObliqueSnapshot& now);
 
-/// The motion along the surface at one instant.
-struct AlongMotion {
-  AlongOutcome outcome;
-  double shift = 0.0;             ///< way along y
-  std::array<double, 2> angle{};  ///< by which each body has turned
-};
-
-/// That of all friction times one factor.
-[[nodiscard]] AlongMotion times(double factor, const AlongMotion& motion);
-
 /// What friction does at one node, as ObliquePoint has it.
 struct Rub {
   double friction = 0.0, slip = 0.0;
   int sliding = 0;  ///< as Friction has it
 };
 
-[[nodiscard]] std::vector<Rub> times(double factor, std::vector<Rub> nodes);
-
-/// Shows an observer an oblique impact in which both directions do not act on each other: the normal motion is replayed
-/// from its pressures. Without an observer nothing happens.
+/// Shows an observer an oblique impact in which both directions do not act on each other: the normal motion is that
+/// of its course. Without an observer nothing happens.
 class ObliqueFilm {
  public:
   /// @throws InvalidInput for an observation out of range
@@ -67,7 +55,7 @@ class ObliqueFilm {
   const NormalCourse& course_;
   Obliquity before_;
   const ObliqueObservation& observation_;
-  NormalReplay normal_;
+  long step_ = 0;
   bool begun_ = false;
   double shift_ = 0.0;  // at the end of the last flight
   std::array<double, 2> angle_{};

@@ -53,19 +53,6 @@ ObliqueFrame::ObliqueFrame(const Contact& contact, double speed_towards, const I
   normal_energy = std::accumulate(energies.begin(), energies.end(), normal_energy);
 }
 
-AlongOutcome times(double factor, AlongOutcome outcome) {
-  const double square = factor * factor;
-  for (double* each : {&outcome.tangential, &outcome.spin[0], &outcome.spin[1], &outcome.impulse, &outcome.moment[0],
-                       &outcome.moment[1]}) {
-    *each *= factor;
-  }
-  for (double* each : {&outcome.vibration[0], &outcome.vibration[1], &outcome.dissipated, &outcome.friction,
-                       &outcome.unresolved, &outcome.stored}) {
-    *each *= square;
-  }
-  return outcome;
-}
-
 std::array<std::vector<double>, 2> arms(const Contact& contact, const ContactPoints& points) {
   std::array<std::vector<double>, 2> arms;
   for (int number = 0; number < 2; ++number) {

@@ -22,8 +22,12 @@ struct AlongOutcome {
   [[nodiscard]] double elastic() const { return vibration[0] + vibration[1] + dissipated + unresolved + stored; }
 };
 
-/// The outcome of all motion along the surface and all friction times one factor: energies go with its square.
-[[nodiscard]] AlongOutcome times(double factor, AlongOutcome outcome);
+/// The motion along the surface at one instant.
+struct AlongMotion {
+  AlongOutcome outcome;
+  double shift = 0.0;             ///< way along y
+  std::array<double, 2> angle{};  ///< by which each body has turned
+};
 
 /// What moves along the surface besides the modes, in units of the first body: whole bodies, where only a part of one
 /// is there (BodyPart).

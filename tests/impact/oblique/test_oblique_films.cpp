@@ -94,10 +94,10 @@ TEST_F(ObliqueFilms, OfADiskShowThatItsSurfaceIsDrawnInward) {
 
 // One normal impact serves the films of all angles and frictions.
 TEST_F(ObliqueFilms, OfSlidesAreThoseOfTheImpact) {
-  const Slides slides(ball, 0.05, options_of(ball));
+  const SharedNormalImpact shared(ball, 0.05, options_of(ball));
   for (const Obliquity& before : {Obliquity{0.01, 0.0, 0.0, 0.5}, {0.1, 0.02, 0.0, 0.1}, {0.1, 0.0, 0.0, 0.0}}) {
     std::vector<Instant> instants;
-    const ObliqueImpact after = slides.after(before, {}, into(instants));
+    const ObliqueImpact after = shared.with(before, {}, into(instants));
     const Seen whole = seen({"", ball, 0.05, before});
     EXPECT_EQ(after.sliding_after, whole.impact.sliding_after);
     ASSERT_EQ(instants.size(), whole.instants.size());

@@ -31,20 +31,20 @@ TEST(ObliqueSphere, LeavesTheNormalImpactAsItIsToTheLastBit) {
 }
 
 TEST(ObliqueSphere, DependsOnSlidingOverFrictionAlone) {
-  const Slides slides(contact(sphere(0.3, 8.0)), 0.05, rings(24, 0.0625));
-  const ObliqueImpact one = slides.after({0.03, 0.01, 0.0, 0.5}), other = slides.after({0.015, 0.005, 0.0, 0.25});
+  const SharedNormalImpact shared(contact(sphere(0.3, 8.0)), 0.05, rings(24, 0.0625));
+  const ObliqueImpact one = shared.with({0.03, 0.01, 0.0, 0.5}), other = shared.with({0.015, 0.005, 0.0, 0.25});
   EXPECT_EQ(one.tangential_restitution, other.tangential_restitution);
   EXPECT_EQ(one.spin_after, 2.0 * other.spin_after);
 }
 
 TEST(ObliqueSphere, ComesToTheSmoothOneAsFrictionGoes) {
-  const Slides slides(contact(sphere(0.3, 8.0)), 0.05, rings(24, 0.0625));
-  const ObliqueImpact smooth = slides.after({0.02, -0.01, 0.0, 0.0});
+  const SharedNormalImpact shared(contact(sphere(0.3, 8.0)), 0.05, rings(24, 0.0625));
+  const ObliqueImpact smooth = shared.with({0.02, -0.01, 0.0, 0.0});
   EXPECT_EQ(smooth.tangential_restitution, -1.0);
   EXPECT_EQ(smooth.tangential_after, 0.02);
   EXPECT_EQ(smooth.spin_after, -0.01);
   EXPECT_EQ(smooth.energy.friction, 0.0);
-  const ObliqueImpact nearly = slides.after({0.02, -0.01, 0.0, 1e-9});
+  const ObliqueImpact nearly = shared.with({0.02, -0.01, 0.0, 1e-9});
   EXPECT_NEAR(nearly.tangential_after, 0.02, 1e-9);
   EXPECT_NEAR(nearly.spin_after, -0.01, 1e-9);
   EXPECT_NEAR(nearly.energy.translation, smooth.energy.translation, 1e-9);
@@ -62,10 +62,10 @@ TEST(ObliqueSphere, KeepsItsEnergyToTheSquareOfTheStep) {
 TEST(ObliqueSphere, FeelsSlidingAloneHoweverItIsMadeWhereTheContactIsSmall) {
   double before = 1.0;
   for (const double speed : {1e-2, 1e-4, 1e-6}) {
-    const Slides slides(contact(sphere(0.3, 4.0)), speed, rings(16, 0.125));
-    const double moving = slides.after({0.3 * speed, 0.0, 0.0, 0.3}).sliding_after;
-    const double turning = slides.after({0.0, 0.3 * speed, 0.0, 0.3}).sliding_after;
-    const double apart = std::abs(moving - turning) / (0.3 * speed), half_width = slides.normal().max_half_width;
+    const SharedNormalImpact shared(contact(sphere(0.3, 4.0)), speed, rings(16, 0.125));
+    const double moving = shared.with({0.3 * speed, 0.0, 0.0, 0.3}).sliding_after;
+    const double turning = shared.with({0.0, 0.3 * speed, 0.0, 0.3}).sliding_after;
+    const double apart = std::abs(moving - turning) / (0.3 * speed), half_width = shared.normal().max_half_width;
     EXPECT_LT(apart, half_width * half_width);
     EXPECT_LT(apart, 0.2 * before);
     before = apart;
@@ -126,7 +126,7 @@ TEST(ObliqueImpact, RefusesWhatItCannotCompute) {
   test::expect_refusal(refused(bar, {0.1, 0.0, 0.0, 0.3}), {"friction", "rod"});
   test::expect_refusal(refused(soft, {0.1, 0.0, 0.0, 0.3}), {"friction", "exponential"});
   EXPECT_EQ(oblique_impact(bar, 0.05, {0.1, 0.0, 0.0, 0.0}).tangential_restitution, -1.0);
-  test::expect_refusal([] { (void)Slides(contact(disk(0.3, 8.0)), 0.05); }, {"disk"});
+  test::expect_refusal([] { (void)SharedNormalImpact(contact(disk(0.3, 8.0)), 0.05); }, {"disk"});
 }
 
 }  // namespace

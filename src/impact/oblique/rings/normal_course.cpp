@@ -1,5 +1,6 @@
 #include "impact/oblique/rings/normal_course.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "impact/oblique/film.hpp"
@@ -16,42 +17,25 @@ NormalCourse::NormalCourse(const Contact& contact, double speed, const ImpactOpt
   points = points_at_rest(contact, grid);
 }
 
-NormalReplay::NormalReplay(const NormalCourse& course)
-    : course_(course),
-      part_(course.mass / course.frame.mass),
-      compression_(course.pressures.start()),
-      velocity_(course.frame.speed) {
-  load();
-  velocity_ += 0.5 * total_ * course_.impact.resolution.step / course_.mass;
-}
-
-void NormalReplay::load() {
-  const Pressures& pressures = course_.pressures;
-  const auto at = static_cast<std::size_t>(step_ - pressures.first());
-  const bool pressed = step_ >= pressures.first() && at < pressures.steps();
-  force_ = pressed ? pressures.force(at) : nullptr;
-  total_ = 0.0;
-  for (std::size_t i = 0; pressed && i < pressures.extent(at); ++i) total_ += force_[i];
-}
-
-void NormalReplay::advance() {
-  const double step = course_.impact.resolution.step;
-  velocity_ -= total_ * step / course_.mass;
-  compression_ += velocity_ * step;
-  ++step_;
-  load();
-}
-
-double NormalReplay::velocity() const {
-  const double own = velocity_ - 0.5 * total_ * course_.impact.resolution.step / course_.mass;
-  return part_ == 1.0 ? own : course_.frame.speed - part_ * (course_.frame.speed - own);
-}
-
-double NormalReplay::center() const {
-  const double own = compression_ - course_.extent;
-  if (part_ == 1.0) return own;
-  const double free = course_.pressures.start() - course_.extent + course_.frame.speed * time();
-  return free - part_ * (free - own);
+NormalInstant NormalCourse::at(long step) const {
+  const double time = static_cast<double>(step) * impact.resolution.step;
+  NormalInstant now{time, frame.speed, pressures.start() + frame.speed * time};
+  if (step >= pressures.first() && pressures.steps() > 0) {
+    const auto since = static_cast<std::size_t>(step - pressures.first());
+    const std::size_t last = std::min(since, pressures.steps() - 1);
+    now.velocity = pressures.velocity(last);
+    now.center =
+        pressures.compression(last) + now.velocity * static_cast<double>(since - last) * impact.resolution.step;
+    if (since == last) now.force = pressures.force(last);
+  }
+  const double part = mass / frame.mass;
+  if (part != 1.0) {
+    const double free = pressures.start() + frame.speed * time;
+    now.velocity = frame.speed - part * (frame.speed - now.velocity);
+    now.center = free - part * (free - now.center);
+  }
+  now.center -= extent;
+  return now;
 }
 
 }  // namespace stoss

@@ -13,9 +13,19 @@
 
 namespace stoss {
 
-/// A normal impact with its pressures, from which it can be seen again.
+/// A normal impact at an instant.
+struct NormalInstant {
+  double time;
+  double velocity, center;        ///< of whole bodies (WholeBodies): along the normal, and as Snapshot::center
+  const double* force = nullptr;  ///< pressure of each node times its area; null: none
+};
+
+/// A normal impact with its pressures.
 struct NormalCourse {
   NormalCourse(const Contact& contact, double speed, const ImpactOptions& options);
+
+  /// Between and beside the steps with a force bodies fly freely.
+  [[nodiscard]] NormalInstant at(long step) const;
 
   Impact impact;
   Pressures pressures;
@@ -26,35 +36,6 @@ struct NormalCourse {
   ContactPoints nodes;
   std::array<std::vector<double>, 2> arm;  ///< of friction at each node about the centre of each body that turns
   std::vector<ObliquePoint> points;        ///< at rest
-};
-
-/// It again, as Collision moves it, step by step.
-class NormalReplay {
- public:
-  explicit NormalReplay(const NormalCourse& course);
-
-  /// Moves on by one step.
-  void advance();
-
-  [[nodiscard]] long step() const { return step_; }
-  [[nodiscard]] double time() const { return static_cast<double>(step_) * course_.impact.resolution.step; }
-
-  /// Of whole bodies (WholeBodies): velocity along the normal, and place as Snapshot::center.
-  [[nodiscard]] double velocity() const;
-  [[nodiscard]] double center() const;
-
-  /// Pressure of a node times its area.
-  [[nodiscard]] double force(std::size_t node) const { return force_ == nullptr ? 0.0 : force_[node]; }
-
- private:
-  void load();
-
-  const NormalCourse& course_;
-  double part_;  // κ
-  long step_ = 0;
-  double compression_, velocity_;  // before the kick that is due
-  const double* force_ = nullptr;  // of the nodes; null: none
-  double total_ = 0.0;
 };
 
 }  // namespace stoss

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "stoss/contact/contact.hpp"
-#include "stoss/impact/resolution.hpp"
+#include "stoss/impact/oblique.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss {
@@ -19,15 +19,8 @@ struct OutwardStep {
 
 /// A central impact of balls whose surfaces rub each other as pressure moves them inward, then lets them go.
 struct OutwardImpact {
-  double restitution = 0.0;    ///< ε_n
-  double momentum = 0.0;       ///< along the normal that is left to a ball that stays on a plate, and goes into it
-  double friction_loss = 0.0;  ///< share of the initial energy
-  double vibration = 0.0;
-  double unresolved = 0.0;
-  double dissipated = 0.0;
-  double stored = 0.0;
-  double energy_error = 0.0;  ///< 1 − sum of all
-  double max_force = 0.0;     ///< mc²/R
+  ObliqueImpact impact;
+  double momentum = 0.0;  ///< along the normal that is left to a ball that stays on a plate, and goes into it
   FixedResolution resolution;
   std::vector<OutwardStep> steps;  ///< from the first force to the first after the last
 };

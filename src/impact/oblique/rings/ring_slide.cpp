@@ -10,9 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "contact/response.hpp"
-#include "contact/touch.hpp"
-
 namespace stoss {
 
 using Eigen::Index;
@@ -154,71 +151,29 @@ void set_limits(const OutwardStep& step, const OutwardStep* rough, double fricti
 
 }  // namespace
 
-RingSlide::RingSlide(const Contact& contact, const Contact& along, double speed, const FixedResolution& resolution,
-                     const Poll& poll)
-    : RingSlide(contact, along, speed, resolution,
-                contact_grid(along, contact_grid(contact, resolution.half_width, resolution.nodes).points), poll) {}
-
-RingSlide::RingSlide(const Contact& contact, const Contact& along, double speed, const FixedResolution& resolution,
-                     const ContactGrid& grid, const Poll& poll)
-    : frame_(contact, speed, {}),
-      step_(resolution.step),
-      ratio_(touch(along).softness / touch(contact).softness),
-      modes_(along, grid, step_, follows_at_once(along, resolution.tail) ? Kicks::weaker : Kicks::whole),
-      residuals_(along, grid, ResidualMotion::Inertia::all, step_, poll) {
-  const auto arms_of = arms(contact, grid.points);
-  for (std::size_t k = 0; k < arm_.size(); ++k) arm_[k] = vector_of(arms_of[k]);
-  const std::vector<double> compliance = residuals_.compliance(poll);
-  const auto rings = static_cast<Index>(grid.points.count);
-  compliance_ = Eigen::MatrixXd::Map(compliance.data(), rings, rings);
-}
-
-AlongOutcome RingSlide::after(const std::vector<OutwardStep>& steps, const std::vector<OutwardStep>* outward,
-                              double friction, const AlongOutcome& before, double sliding, const Poll& poll) const {
+AlongOutcome slide_on_rings(const TangentialResponse& response, const ObliqueFrame& frame,
+                            const std::vector<OutwardStep>& steps, const std::vector<OutwardStep>* outward,
+                            const Obliquity& before, const Poll& poll) {
   // A ring that does not slide outward creeps by as little as this.
   constexpr double creep = 3e-3;
-  const double least = creep * std::abs(sliding) * step_;
-  const Index count = compliance_.rows();
-  KeptModes modes = modes_;
-  Residuals residuals = residuals_;
-  RingFriction law(compliance_);
-  AlongOutcome now = before;
-  double centre = 0.0;
-  std::array<double, 2> turned{};
-  VectorXd force = VectorXd::Zero(count), place = force;
+  const double least =
+      creep * std::abs(frame.sliding(before.tangential, before.spin, before.second_spin)) * response.step;
+  const auto count = static_cast<Index>(response.arm[0].size());
+  TangentialImpact motion(response, frame, before);
+  RingFriction law(Eigen::MatrixXd::Map(response.compliance.data(), count, count));
+  VectorXd force = VectorXd::Zero(count);
   RingLimits rings{force, force, force, force};
-  std::vector<double> kept(static_cast<std::size_t>(count)), moved = kept, forces = kept;
-  const auto kick = [&] {
-    const double half = 0.5 * step_;
-    now.tangential -= half * force.sum() / frame_.mass_along;
-    for (std::size_t k = 0; k < 2; ++k) {
-      if (frame_.inertia[k] > 0.0) now.spin[k] -= half * force.dot(arm_[k]) / frame_.inertia[k];
-    }
-  };
-  const auto advance = [&](const OutwardStep& step, const OutwardStep* rough) {
-    kick();
-    centre += now.tangential * step_;
-    for (std::size_t k = 0; k < 2; ++k) turned[k] += now.spin[k] * step_;
-    modes.advance();
-    std::fill(kept.begin(), kept.end(), 0.0);
-    modes.add_displacement(kept);
-    const VectorXd at =
-        VectorXd::Map(kept.data(), count).array() + centre + turned[0] * arm_[0].array() + turned[1] * arm_[1].array();
-    const VectorXd rest = vector_of(residuals.predict());
-    set_limits(step, rough, friction, least, rings);
-    law.solve(ratio_ * step.give, at - rest - place, rings, force);
-    VectorXd::Map(moved.data(), count) = rest + compliance_ * force;
-    VectorXd::Map(forces.data(), count) = force;
-    place = at - VectorXd::Map(moved.data(), count);
-    residuals.move(moved, forces, forces.size());
-    modes.load(forces, forces.size());
-    kick();
-  };
   for (std::size_t k = 0; k < steps.size(); ++k) {
     if (poll) poll();
-    advance(steps[k], outward != nullptr && k < outward->size() ? &(*outward)[k] : nullptr);
+    const OutwardStep* rough = outward != nullptr && k < outward->size() ? &(*outward)[k] : nullptr;
+    set_limits(steps[k], rough, before.friction, least, rings);
+    motion.advance(steps[k].give.data(), response.arm[0].size(),
+                   [&](const auto& give, const auto& free, auto& friction) {
+                     law.solve(vector_of(give), vector_of(free), rings, force);
+                     VectorXd::Map(friction.data(), count) = force;
+                   });
   }
-  return now;
+  return motion.outcome();
 }
 
 }  // namespace stoss

@@ -97,7 +97,7 @@ WaveMemory::Response WaveMemory::response(const Contact& along, const ContactGri
 
 WaveMemory::WaveMemory(const Contact& along, const ContactGrid& grid, double step, std::size_t steps,
                        const Poll& poll) {
-  if (!remembers_waves(along)) return;
+  if (steps == 0 || !remembers_waves(along)) return;
   response_ = std::make_shared<const Response>(response(along, grid, step, steps, poll));
   kick_.resize(response_->shapes);
   place_.resize(response_->shapes * steps);

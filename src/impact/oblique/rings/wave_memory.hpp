@@ -21,7 +21,7 @@ namespace stoss {
 /// few, and of thousands of waves a few functions of time are left. It is the kick–rotate–kick of KeptModes otherwise.
 class WaveMemory {
  public:
-  /// Of no waves, where those of the contact along its surface cannot be remembered.
+  /// Of no waves, where those of the contact along its surface cannot be remembered, or for no steps.
   /// @param steps the longest time that is remembered
   WaveMemory(const Contact& along, const ContactGrid& grid, double step, std::size_t steps, const Poll& poll);
 

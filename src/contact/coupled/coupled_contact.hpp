@@ -15,21 +15,13 @@ namespace stoss {
 /// displacement x against the normal force f of each, and of y against its friction q,
 ///
 ///   u_x = xx f + xy q,   u_y = xyᵀ f + yy q.
-struct SidedCompliance {
+struct CoupledCompliance {
   Eigen::MatrixXd xx, xy, yy;
 };
 
 /// @param normal_even, along_even the blocks of bodies with two components (Body::along), 2 · points × 2 · points
-[[nodiscard]] SidedCompliance sided_compliance(const std::vector<double>& normal_even,
-                                               const std::vector<double>& along_even, std::size_t points);
-
-/// Values at points on both sides, right and left, as those of a block: even first component, odd second one.
-/// @param first, second of both components at all points
-/// @param share ½ for displacements, 1 for forces: the work is the same
-void to_block(const Eigen::VectorXd& first, const Eigen::VectorXd& second, double share, std::vector<double>& block);
-
-/// Adds the displacements of a block to those of both sides.
-void add_block(const std::vector<double>& block, Eigen::VectorXd& first, Eigen::VectorXd& second);
+[[nodiscard]] CoupledCompliance compliance_of_sides(const std::vector<double>& normal_even,
+                                                    const std::vector<double>& along_even, std::size_t points);
 
 /// Anderson's acceleration of a fixed-point iteration x ← x + miss(x): the next trial is the combination of the last
 /// ones whose misses, taken for linear, are least (Anderson, J. ACM 12, 547, 1965).
@@ -58,12 +50,12 @@ class Anderson {
 /// the normal problem: Newton's method for it exists at any μ while all slide to one side, and the iteration is over at
 /// once. What the stuck nodes carry is accelerated (Anderson); where that leads nowhere, other ways are tried. Where μ
 /// times the coupling exceeds about 1 there may be no solution, or more than one: Coulomb's law is then ill-posed.
-class SidedContact {
+class CoupledContact {
  public:
   /// @param compliance of points on both sides, or of rings: of as many as the law has
   /// @param law   of the points of one side, of a force that both sides share
   /// @param ratio local softness along the surface over that along the normal
-  SidedContact(SidedCompliance compliance, const EdgeLaw& law, double friction, double ratio, Poll poll);
+  CoupledContact(CoupledCompliance compliance, const EdgeLaw& law, double friction, double ratio, Poll poll);
 
   /// Solves one step, from the last one.
   /// @param x positions beyond the plane of contact without the forces of this step
@@ -104,11 +96,11 @@ class SidedContact {
   };
   [[nodiscard]] bool solved(const Attempt& attempt, const Eigen::VectorXd& x, const Eigen::VectorXd& y);
   void take_into_matrix(const std::vector<int>& sliding);
-  [[nodiscard]] bool press(const Eigen::VectorXd& x, double scale);
-  void rub(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
+  [[nodiscard]] bool solve_normal(const Eigen::VectorXd& x, double scale);
+  void solve_friction(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
   [[nodiscard]] double reached(const Eigen::VectorXd& x) const;
 
-  SidedCompliance compliance_;
+  CoupledCompliance compliance_;
   std::vector<double> along_;  // yy, by rows
   std::size_t sides_;
   EdgeLaw law_;

@@ -1,4 +1,4 @@
-#include "contact/sided/sided_contact.hpp"
+#include "contact/coupled/coupled_contact.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -16,8 +16,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-SidedCompliance sided_compliance(const std::vector<double>& normal_even, const std::vector<double>& along_even,
-                                 std::size_t points) {
+CoupledCompliance compliance_of_sides(const std::vector<double>& normal_even, const std::vector<double>& along_even,
+                                      std::size_t points) {
   const auto n = static_cast<Index>(points);
   // Symmetric: rows are columns.
   const Eigen::Map<const MatrixXd> s(normal_even.data(), 2 * n, 2 * n), a(along_even.data(), 2 * n, 2 * n);
@@ -26,28 +26,13 @@ SidedCompliance sided_compliance(const std::vector<double>& normal_even, const s
     both << even + odd, even - odd, even - odd, even + odd;
     return both;
   };
-  SidedCompliance result;
+  CoupledCompliance result;
   result.xx = joined(s.topLeftCorner(n, n), a.bottomRightCorner(n, n));
   result.yy = joined(a.topLeftCorner(n, n), s.bottomRightCorner(n, n));
   const MatrixXd of_odd = s.topRightCorner(n, n), of_even = a.bottomLeftCorner(n, n);  // friction; displacement x
   result.xy.resize(2 * n, 2 * n);
   result.xy << of_even + of_odd, of_even - of_odd, of_odd - of_even, -of_even - of_odd;
   return result;
-}
-
-void to_block(const VectorXd& first, const VectorXd& second, double share, std::vector<double>& block) {
-  const Index n = first.size() / 2;
-  VectorXd::Map(block.data(), n) = share * (first.head(n) + first.tail(n));
-  VectorXd::Map(block.data() + n, n) = share * (second.head(n) - second.tail(n));
-}
-
-void add_block(const std::vector<double>& block, VectorXd& first, VectorXd& second) {
-  const Index n = first.size() / 2;
-  const Eigen::Map<const VectorXd> even(block.data(), n), odd(block.data() + n, n);
-  first.head(n) += even;
-  first.tail(n) += even;
-  second.head(n) += odd;
-  second.tail(n) -= odd;
 }
 
 void Anderson::forget() {
@@ -98,7 +83,8 @@ Index at(std::size_t i) { return static_cast<Index>(i); }
 
 }  // namespace
 
-SidedContact::SidedContact(SidedCompliance compliance, const EdgeLaw& law, double friction, double ratio, Poll poll)
+CoupledContact::CoupledContact(CoupledCompliance compliance, const EdgeLaw& law, double friction, double ratio,
+                               Poll poll)
     : compliance_(std::move(compliance)),
       along_(values(compliance_.yy)),
       sides_(static_cast<std::size_t>(compliance_.xx.rows()) / law.gap.size()),
@@ -116,21 +102,21 @@ SidedContact::SidedContact(SidedCompliance compliance, const EdgeLaw& law, doubl
       limit_(law_.gap.size()),
       q_(law_.gap.size()) {}
 
-std::size_t SidedContact::extent() const {
+std::size_t CoupledContact::extent() const {
   const std::size_t points = closure_.size() / sides_;
   std::size_t end = points;
   while (end > 0 && force_(at(end - 1)) == 0.0 && force_(at(closure_.size() - points + end - 1)) == 0.0) --end;
   return end;
 }
 
-double SidedContact::half_width() const {
+double CoupledContact::half_width() const {
   constexpr double excess = 0.18;  // as EdgeContact has it
   double sum = 0.0;
   for (const double closure : closure_) sum += std::clamp(closure, 0.0, 1.0) / static_cast<double>(sides_);
   return std::max(0.0, sum - excess);
 }
 
-void SidedContact::follow(double before, double now, double step) {
+void CoupledContact::follow(double before, double now, double step) {
   if (law_.loss_time == 0.0) return;
   constexpr double least = 1e-6;
   const double left = std::max(now, least * std::abs(before));
@@ -138,7 +124,7 @@ void SidedContact::follow(double before, double now, double step) {
 }
 
 /// Largest position or gap of the nodes that feel the law; 0 if none does.
-double SidedContact::reached(const VectorXd& x) const {
+double CoupledContact::reached(const VectorXd& x) const {
   double scale = 0.0;
   for (std::size_t i = 0; i < closure_.size(); ++i) {
     const double gap = law_.opening * law_.gap[i];
@@ -147,7 +133,7 @@ double SidedContact::reached(const VectorXd& x) const {
   return scale;
 }
 
-void SidedContact::solve(const VectorXd& x, const VectorXd& y) {
+void CoupledContact::solve(const VectorXd& x, const VectorXd& y) {
   if (!x.allFinite() || !y.allFinite()) {
     throw NotConverged("contact: the position of a node is not a finite number", "step", "use a smaller step");
   }
@@ -177,7 +163,7 @@ void SidedContact::solve(const VectorXd& x, const VectorXd& y) {
 }
 
 /// Makes the friction of sliding nodes move with their forces, and that of the others not.
-void SidedContact::take_into_matrix(const std::vector<int>& sliding) {
+void CoupledContact::take_into_matrix(const std::vector<int>& sliding) {
   if (sliding == in_matrix_) return;
   in_matrix_ = sliding;
   Eigen::MatrixXd matrix = compliance_.xx;
@@ -188,7 +174,7 @@ void SidedContact::take_into_matrix(const std::vector<int>& sliding) {
 }
 
 /// Solves the normal problem with the friction that is tried.
-bool SidedContact::press(const VectorXd& x, double scale) {
+bool CoupledContact::solve_normal(const VectorXd& x, double scale) {
   const VectorXd position = x - compliance_.xy * held_;
   const std::vector<double> q(position.data(), position.data() + position.size());
   for (std::size_t i = 0; i < q.size(); ++i) {
@@ -200,7 +186,7 @@ bool SidedContact::press(const VectorXd& x, double scale) {
 }
 
 /// Solves Coulomb's law under the forces.
-void SidedContact::rub(const VectorXd& x, const VectorXd& y) {
+void CoupledContact::solve_friction(const VectorXd& x, const VectorXd& y) {
   new_gap_ = compliance_.xx * new_force_ + compliance_.xy * used_ - x;
   for (std::size_t i = 0; i < closure_.size(); ++i) {
     const Index k = at(i);
@@ -214,7 +200,7 @@ void SidedContact::rub(const VectorXd& x, const VectorXd& y) {
   new_friction_ = VectorXd::Map(q_.data(), y.size());
 }
 
-bool SidedContact::solved(const Attempt& attempt, const VectorXd& x, const VectorXd& y) {
+bool CoupledContact::solved(const Attempt& attempt, const VectorXd& x, const VectorXd& y) {
   constexpr double tolerance = 1e-10;
   const double scale = reached(x);
   new_closure_ = closure_;
@@ -231,13 +217,13 @@ bool SidedContact::solved(const Attempt& attempt, const VectorXd& x, const Vecto
     for (std::size_t j = 0; j < states.size(); ++j) {
       if (in_matrix_[j] != 0) held_(at(j)) = 0.0;
     }
-    if (!press(x, scale)) return false;
+    if (!solve_normal(x, scale)) return false;
     used_ = held_;
     for (std::size_t j = 0; j < states.size(); ++j) {
       new_force_(at(j)) = law_.force_at(j, new_closure_[j]);
       if (in_matrix_[j] != 0) used_(at(j)) = coefficient_ * in_matrix_[j] * new_force_(at(j));
     }
-    rub(x, y);
+    solve_friction(x, y);
     const VectorXd miss = new_friction_ - used_;
     if (miss.cwiseAbs().maxCoeff() <= tolerance * coefficient_ * new_force_.maxCoeff()) return true;
     if (attempt.with_force && coulomb_.sliding() != states) anderson_.forget();

@@ -7,12 +7,12 @@
 #include <random>
 #include <vector>
 
+#include "contact/coupled/coupled_contact.hpp"
 #include "contact/edge/edge_contact.hpp"
-#include "contact/sided/sided_contact.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
-namespace sided {
+namespace coupled_contact {
 namespace {
 
 using Eigen::Index;
@@ -59,9 +59,9 @@ VectorXd random_vector(std::mt19937& random) {
 }
 
 /// Both laws at every node, for a first step out of contact: D is −dg/df from there.
-void expect_laws(const Problem& problem, const SidedContact& contact, const VectorXd& x, const VectorXd& y,
+void expect_laws(const Problem& problem, const CoupledContact& contact, const VectorXd& x, const VectorXd& y,
                  const VectorXd& gap_before) {
-  const SidedCompliance w = sided_compliance(problem.normal_even, problem.along_even, points);
+  const CoupledCompliance w = compliance_of_sides(problem.normal_even, problem.along_even, points);
   const VectorXd f = contact.force(), q = contact.friction();
   const VectorXd gap = w.xx * f + w.xy * q - x, moved = w.yy * q + w.xy.transpose() * f;
   for (Index i = 0; i < f.size(); ++i) {
@@ -86,13 +86,13 @@ void expect_laws(const Problem& problem, const SidedContact& contact, const Vect
   }
 }
 
-TEST(SidedContact, ObeysBothLawsAtEveryNode) {
+TEST(CoupledContact, ObeysBothLawsAtEveryNode) {
   std::mt19937 random(11);
   int stuck = 0, sliding = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const Problem problem = random_problem(0.2, trial % 2 == 0 ? 0.2 : 0.8, random);
-    SidedContact contact(sided_compliance(problem.normal_even, problem.along_even, points), problem.law,
-                         problem.friction, 1.0, {});
+    CoupledContact contact(compliance_of_sides(problem.normal_even, problem.along_even, points), problem.law,
+                           problem.friction, 1.0, {});
     const VectorXd far = VectorXd::Constant(static_cast<Index>(2 * points), -1.5), x = random_vector(random),
                    y = random_vector(random);
     contact.solve(far, y);
@@ -108,11 +108,12 @@ TEST(SidedContact, ObeysBothLawsAtEveryNode) {
   EXPECT_GT(sliding, 300);
 }
 
-TEST(SidedContact, IsThatOfTheNormalAloneWithoutCoupling) {
+TEST(CoupledContact, IsThatOfTheNormalAloneWithoutCoupling) {
   std::mt19937 random(5);
   for (int trial = 0; trial < 50; ++trial) {
     const Problem problem = random_problem(0.0, 0.5, random);
-    SidedContact sided(sided_compliance(problem.normal_even, problem.along_even, points), problem.law, 0.5, 1.0, {});
+    CoupledContact sided(compliance_of_sides(problem.normal_even, problem.along_even, points), problem.law, 0.5, 1.0,
+                         {});
     const auto half = static_cast<Index>(points);
     const MatrixXd even = MatrixXd::Map(problem.normal_even.data(), 2 * half, 2 * half).topLeftCorner(half, half);
     EdgeContact one(values(even), problem.law, points, {});
@@ -130,14 +131,15 @@ TEST(SidedContact, IsThatOfTheNormalAloneWithoutCoupling) {
 }
 
 // Rings are both sides at once where these are alike.
-TEST(SidedContact, TakesRings) {
+TEST(CoupledContact, TakesRings) {
   std::mt19937 random(8);
   const auto half = static_cast<Index>(points);
   for (int trial = 0; trial < 50; ++trial) {
     const Problem problem = random_problem(0.2, 0.4, random);
-    SidedContact sided(sided_compliance(problem.normal_even, problem.along_even, points), problem.law, 0.4, 1.0, {});
+    CoupledContact sided(compliance_of_sides(problem.normal_even, problem.along_even, points), problem.law, 0.4, 1.0,
+                         {});
     const MatrixXd block = MatrixXd::Map(problem.normal_even.data(), 2 * half, 2 * half);
-    SidedContact rings(
+    CoupledContact rings(
         {block.topLeftCorner(half, half), block.topRightCorner(half, half), block.bottomRightCorner(half, half)},
         problem.law, 0.4, 1.0, {});
     VectorXd x = random_vector(random), y = random_vector(random);
@@ -154,11 +156,11 @@ TEST(SidedContact, TakesRings) {
 }
 
 // What is reflected in the axis is the same problem.
-TEST(SidedContact, TurnsWithTheSignOfTheSlip) {
+TEST(CoupledContact, TurnsWithTheSignOfTheSlip) {
   std::mt19937 random(3);
   const Problem problem = random_problem(0.3, 0.5, random);
-  const SidedCompliance compliance = sided_compliance(problem.normal_even, problem.along_even, points);
-  SidedContact one(compliance, problem.law, 0.5, 1.0, {}), other(compliance, problem.law, 0.5, 1.0, {});
+  const CoupledCompliance compliance = compliance_of_sides(problem.normal_even, problem.along_even, points);
+  CoupledContact one(compliance, problem.law, 0.5, 1.0, {}), other(compliance, problem.law, 0.5, 1.0, {});
   const VectorXd x = random_vector(random), y = random_vector(random);
   const auto mirrored = [](const VectorXd& v, double sign) {
     const Index half = v.size() / 2;
@@ -172,10 +174,11 @@ TEST(SidedContact, TurnsWithTheSignOfTheSlip) {
   EXPECT_LT((other.friction() - mirrored(one.friction(), -1.0)).norm(), 1e-9 * one.force().norm());
 }
 
-TEST(SidedContact, RefusesPositionsThatAreNoNumbers) {
+TEST(CoupledContact, RefusesPositionsThatAreNoNumbers) {
   std::mt19937 random(1);
   const Problem problem = random_problem(0.2, 0.5, random);
-  SidedContact contact(sided_compliance(problem.normal_even, problem.along_even, points), problem.law, 0.5, 1.0, {});
+  CoupledContact contact(compliance_of_sides(problem.normal_even, problem.along_even, points), problem.law, 0.5, 1.0,
+                         {});
   VectorXd x = random_vector(random);
   const VectorXd y = x;
   x(3) = std::nan("");
@@ -183,5 +186,5 @@ TEST(SidedContact, RefusesPositionsThatAreNoNumbers) {
 }
 
 }  // namespace
-}  // namespace sided
+}  // namespace coupled_contact
 }  // namespace stoss
