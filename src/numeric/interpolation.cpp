@@ -5,15 +5,16 @@
 
 namespace stoss::numeric {
 
-MonotoneCubic::MonotoneCubic(std::vector<double> at, std::vector<double> of) : x(std::move(at)), y(std::move(of)) {
-  const auto secant = [this](std::size_t k) { return (y[k + 1] - y[k]) / (x[k + 1] - x[k]); };
-  slope.push_back(secant(0));
+std::vector<double> monotone_slopes(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto secant = [&](std::size_t k) { return (y[k + 1] - y[k]) / (x[k + 1] - x[k]); };
+  std::vector<double> slope{secant(0)};
   for (std::size_t k = 1; k + 1 < x.size(); ++k) {
     const double left = secant(k - 1), right = secant(k), before = x[k] - x[k - 1], after = x[k + 1] - x[k];
     const double first = 2.0 * after + before, second = after + 2.0 * before;
     slope.push_back(left * right > 0.0 ? (first + second) / (first / left + second / right) : 0.0);
   }
   slope.push_back(secant(x.size() - 2));
+  return slope;
 }
 
 std::vector<double> parabolic_slopes(const std::vector<double>& x, const std::vector<double>& y, bool even) {
@@ -30,7 +31,7 @@ std::vector<double> parabolic_slopes(const std::vector<double>& x, const std::ve
 }
 
 std::vector<double> slopes(Slopes how, const std::vector<double>& x, const std::vector<double>& y) {
-  if (how == Slopes::monotone || x.size() < 3) return MonotoneCubic(x, y).slope;
+  if (how == Slopes::monotone || x.size() < 3) return monotone_slopes(x, y);
   return parabolic_slopes(x, y, how == Slopes::mirrored);
 }
 
@@ -39,14 +40,19 @@ CubicGrid::CubicGrid(Places places, const std::array<Slopes, 3>& slopes, const s
   for (std::size_t a = 0; a < places_.size(); ++a) {
     if (places_[a].size() > 1) axes_.push_back({a, Bins(places_[a])});
   }
-  const std::size_t size = std::size_t{1} << axes_.size();
-  std::size_t step = size, cells = 1;
+  std::size_t step = std::size_t{1} << axes_.size(), cells = 1;
   for (auto axis = axes_.rbegin(); axis != axes_.rend(); ++axis) {
     axis->step = step;
     axis->cells = cells;
     step *= places_[axis->number].size();
     cells *= intervals(axis->number);
   }
+  set_nodes(slopes, values);
+  set_coefficients();
+}
+
+void CubicGrid::set_nodes(const std::array<Slopes, 3>& slopes, const std::vector<double>& values) {
+  const std::size_t size = std::size_t{1} << axes_.size();
   nodes_.resize(values.size() * size);
   for (std::size_t i = 0; i < values.size(); ++i) nodes_[i * size] = values[i];
   for (std::size_t d = 0; d < axes_.size(); ++d) {
@@ -66,48 +72,35 @@ CubicGrid::CubicGrid(Places places, const std::array<Slopes, 3>& slopes, const s
   }
 }
 
+void CubicGrid::set_coefficients() {
+  const std::size_t size = std::size_t{1} << 2 * axes_.size();
+  coefficients_.resize(intervals(0) * intervals(1) * intervals(2) * size);
+  for (std::size_t cell = 0; cell < coefficients_.size() / size; ++cell) {
+    double* own = &coefficients_[cell * size];
+    // Along each axis first the values at both ends, then the slopes there.
+    for (std::size_t i = 0; i < size; ++i) {
+      std::size_t node = 0;
+      for (std::size_t d = 0; d < axes_.size(); ++d) {
+        const std::size_t which = i >> 2 * d & 3;
+        node += (axes_[d].interval_of(cell) + which % 2) * axes_[d].step + (which / 2 << d);
+      }
+      own[i] = nodes_[node];
+    }
+    for (std::size_t d = 0; d < axes_.size(); ++d) {
+      const std::size_t next = std::size_t{1} << 2 * d, k = axes_[d].interval_of(cell);
+      const double width = axes_[d].bins.x()[k + 1] - axes_[d].bins.x()[k];
+      for (std::size_t i = 0; i < size; ++i) {
+        if (i / next % 4 != 0) continue;
+        const double change = own[i + next] - own[i];
+        const double first = width * own[i + 2 * next] - change, last = width * own[i + 3 * next] - change;
+        own[i + next] = change;
+        own[i + 2 * next] = first;
+        own[i + 3 * next] = -first - last;
+      }
+    }
+  }
+}
+
 std::size_t CubicGrid::intervals(std::size_t axis) const { return std::max<std::size_t>(places_[axis].size(), 2) - 1; }
-
-CubicGrid::Spot CubicGrid::spot(const Place& at) const {
-  Spot spot;
-  for (std::size_t d = 0; d < axes_.size(); ++d) {
-    const Axis& axis = axes_[d];
-    const std::vector<double>& x = axis.bins.x();
-    const double place = std::clamp(at[axis.number], x.front(), x.back());
-    const std::size_t k = axis.bins.interval(place);
-    const double width = x[k + 1] - x[k];
-    spot.node += k * axis.step;
-    spot.cell += k * axis.cells;
-    spot.weight[d] = cubic_weights(width, (place - x[k]) / width);
-  }
-  return spot;
-}
-
-template <std::size_t dimension>
-double CubicGrid::sum(const double* node, const Spot& spot) const {
-  if constexpr (dimension == 0) {
-    return *node;
-  } else {
-    constexpr std::size_t slope = std::size_t{1} << (dimension - 1);
-    const std::array<double, 4>& weight = spot.weight[dimension - 1];
-    const double* next = node + axes_[dimension - 1].step;
-    return weight[0] * sum<dimension - 1>(node, spot) + weight[1] * sum<dimension - 1>(next, spot) +
-           weight[2] * sum<dimension - 1>(node + slope, spot) + weight[3] * sum<dimension - 1>(next + slope, spot);
-  }
-}
-
-double CubicGrid::operator()(const Spot& spot) const {
-  const double* node = nodes_.data() + spot.node;
-  switch (axes_.size()) {
-    case 0:
-      return sum<0>(node, spot);
-    case 1:
-      return sum<1>(node, spot);
-    case 2:
-      return sum<2>(node, spot);
-    default:
-      return sum<3>(node, spot);
-  }
-}
 
 }  // namespace stoss::numeric

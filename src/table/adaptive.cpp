@@ -91,8 +91,7 @@ std::vector<double> cost_of_monotony(const std::map<double, Knot>& knots) {
     x.push_back(logarithm);
     y.push_back(knot.restitution.value);
   }
-  const std::vector<double> monotone = numeric::MonotoneCubic(x, y).slope,
-                            free = numeric::parabolic_slopes(x, y, false);
+  const std::vector<double> monotone = numeric::monotone_slopes(x, y), free = numeric::parabolic_slopes(x, y, false);
   const auto apart = [&](std::size_t k) { return std::abs(monotone[k] - free[k]); };
   std::vector<double> cost;
   for (std::size_t k = 0; k + 1 < x.size(); ++k) {

@@ -29,15 +29,9 @@ std::vector<double> NestedAxis::missed(const std::vector<double>& y) const {
       x.push_back(x_[k]);
       before.push_back(y[k]);
     }
-    const std::vector<double> slope = numeric::slopes(slopes_, x, before);
-    std::size_t left = 0;
+    const numeric::CubicGrid cubic({x, {0.0}, {0.0}}, {slopes_, slopes_, slopes_}, before);
     for (std::size_t k = 0; k < x_.size(); ++k) {
-      if (turn_[k] != turn) continue;
-      while (x[left + 1] < x_[k]) ++left;
-      const double h = x[left + 1] - x[left];
-      const std::array<double, 4> w = numeric::cubic_weights(h, (x_[k] - x[left]) / h);
-      distance[k] =
-          std::abs(w[0] * before[left] + w[1] * before[left + 1] + w[2] * slope[left] + w[3] * slope[left + 1] - y[k]);
+      if (turn_[k] == turn) distance[k] = std::abs(cubic.at<1>({x_[k]}).value - y[k]);
     }
   }
   std::vector<double> own;

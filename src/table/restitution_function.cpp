@@ -1,4 +1,4 @@
-// ε between computed values is a MonotoneCubic in ln v. Its interval is found in bins of equal ln v.
+// ε between computed values is a CubicGrid in ln v with monotone slopes.
 #include "stoss/table/restitution_function.hpp"
 
 #include <algorithm>
@@ -37,6 +37,11 @@ void require_knots(const std::vector<Knot>& knots) {
   }
 }
 
+numeric::CubicGrid monotone_cubic(std::vector<double> x, const std::vector<double>& y) {
+  constexpr auto how = numeric::Slopes::monotone;
+  return {{std::move(x), {0.0}, {0.0}}, {how, how, how}, y};
+}
+
 std::vector<double> logarithms(const std::vector<Knot>& knots) {
   std::vector<double> all;
   all.reserve(knots.size());
@@ -55,9 +60,9 @@ std::vector<double> values(const std::vector<Knot>& knots) {
 std::vector<double> missed(const std::vector<double>& x, const std::vector<double>& y) {
   std::vector<double> distance(x.size());
   for (std::size_t k = 2; k + 2 < x.size(); ++k) {
-    const numeric::MonotoneCubic without({x[k - 2], x[k - 1], x[k + 1], x[k + 2]},
-                                         {y[k - 2], y[k - 1], y[k + 1], y[k + 2]});
-    distance[k] = std::abs(without(1, x[k]) - y[k]);
+    const auto without =
+        monotone_cubic({x[k - 2], x[k - 1], x[k + 1], x[k + 2]}, {y[k - 2], y[k - 1], y[k + 1], y[k + 2]});
+    distance[k] = std::abs(without.at<1>({x[k]}).value - y[k]);
   }
   return distance;
 }
@@ -81,20 +86,20 @@ std::vector<double> estimated(const std::vector<double>& x, const std::vector<do
 
 struct RestitutionFunction::Data {
   std::vector<Knot> knots;
-  numeric::MonotoneCubic cubic;
+  numeric::CubicGrid cubic;
   double slowest, fastest;
   Beyond beyond;
   SlowLaw law;
   std::vector<double> interpolation;  // error of each interval
   std::vector<double> error;          // with that of the knots
-  numeric::Bins bins;                 // of ln v
+  std::vector<double> slopes;
 
   [[nodiscard]] Estimate outside(double speed) const {
     if (!std::isfinite(speed)) throw InvalidInput::out_of_range("speed", shown(speed), "a finite speed of approach");
     const bool below = speed < slowest;
     if (beyond == Beyond::law && below) return law(speed);
     if (beyond == Beyond::clamp) {
-      return {below ? cubic.y.front() : cubic.y.back(), std::numeric_limits<double>::infinity()};
+      return {(below ? knots.front() : knots.back()).restitution.value, std::numeric_limits<double>::infinity()};
     }
     throw InvalidInput::out_of_range("speed", shown(speed), shown(slowest) + " to " + shown(fastest),
                                      "the range for which the function was made");
@@ -112,10 +117,10 @@ RestitutionFunction::RestitutionFunction(std::vector<Knot> knots, Beyond beyond,
     throw InvalidInput::out_of_range("beyond", "law", "error or clamp from speed " + shown(knots.front().speed) + " on",
                                      "the law of slow impacts says nothing there: begin at a lower speed");
   }
-  numeric::MonotoneCubic cubic(logarithms(knots), values(knots));
+  numeric::CubicGrid cubic = monotone_cubic(logarithms(knots), values(knots));
   const std::size_t intervals = knots.size() - 1;
   std::vector<double> interpolation =
-      interpolation_error.empty() ? estimated(cubic.x, cubic.y) : std::move(interpolation_error);
+      interpolation_error.empty() ? estimated(cubic.places()[0], values(knots)) : std::move(interpolation_error);
   const auto bad = [](double each) { return !(each >= 0.0) || !std::isfinite(each); };
   if (interpolation.size() != intervals || std::any_of(interpolation.begin(), interpolation.end(), bad)) {
     throw InvalidInput::out_of_range("interpolation_error", std::to_string(interpolation.size()),
@@ -126,25 +131,24 @@ RestitutionFunction::RestitutionFunction(std::vector<Knot> knots, Beyond beyond,
     error[k] += std::max(knots[k].restitution.error, knots[k + 1].restitution.error);
   }
   const double slowest = knots.front().speed, fastest = knots.back().speed;
-  numeric::Bins bins(cubic.x);
-  Data table{std::move(knots), std::move(cubic),         slowest,          fastest,        beyond,
-             std::move(law),   std::move(interpolation), std::move(error), std::move(bins)};
+  std::vector<double> slopes;
+  for (std::size_t k = 0; k <= intervals; ++k) slopes.push_back(cubic.nodes()[2 * k + 1]);
+  Data table{std::move(knots), std::move(cubic),         slowest,          fastest,          beyond,
+             std::move(law),   std::move(interpolation), std::move(error), std::move(slopes)};
   data_ = std::make_shared<const Data>(std::move(table));
 }
 
 Estimate RestitutionFunction::operator()(double speed) const {
   const double size = std::abs(speed);
   if (!(size >= slowest() && size <= fastest())) return data_->outside(size);
-  const double logarithm = std::log(size);
-  const std::size_t k = data_->bins.interval(logarithm);
-  return {data_->cubic(k, logarithm), data_->error[k]};
+  const auto [value, cell] = data_->cubic.at<1>({std::log(size)});
+  return {value, data_->error[cell]};
 }
 
 double RestitutionFunction::value(double speed) const {
   const double size = std::abs(speed);
   if (!(size >= data_->slowest && size <= data_->fastest)) return data_->outside(size).value;
-  const double logarithm = std::log(size);
-  return data_->cubic(data_->bins.interval(logarithm), logarithm);
+  return data_->cubic.at<1>({std::log(size)}).value;
 }
 
 double RestitutionFunction::slowest() const { return data_->slowest; }
@@ -154,7 +158,7 @@ double RestitutionFunction::greatest_error() const {
   return *std::max_element(data_->error.begin(), data_->error.end());
 }
 const std::vector<Knot>& RestitutionFunction::knots() const { return data_->knots; }
-const std::vector<double>& RestitutionFunction::slopes() const { return data_->cubic.slope; }
+const std::vector<double>& RestitutionFunction::slopes() const { return data_->slopes; }
 const std::vector<double>& RestitutionFunction::errors() const { return data_->error; }
 const std::vector<double>& RestitutionFunction::interpolation_errors() const { return data_->interpolation; }
 

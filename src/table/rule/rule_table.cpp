@@ -50,8 +50,17 @@ struct GridWithErrors {
   }
 
   [[nodiscard]] Estimate operator()(const numeric::CubicGrid::Place& at) const {
-    const numeric::CubicGrid::Spot spot = cubic.spot(at);
-    return {cubic(spot), errors[spot.cell]};
+    const auto within = [&](std::size_t a) {
+      return std::clamp(at[a], cubic.places()[a].front(), cubic.places()[a].back());
+    };
+    const auto known = [&](const numeric::CubicGrid::Found& found) {
+      return Estimate{found.value, errors[found.cell]};
+    };
+    const bool slides = cubic.places()[1].size() > 1, mixes = cubic.places()[2].size() > 1;
+    if (slides && mixes) return known(cubic.at<3>({within(0), within(1), within(2)}));
+    if (slides) return known(cubic.at<2>({within(0), within(1)}));
+    if (mixes) return known(cubic.at<2>({within(0), within(2)}));
+    return known(cubic.at<1>({within(0)}));
   }
 
  private:
