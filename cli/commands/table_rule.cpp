@@ -17,7 +17,7 @@
 namespace stoss::cli {
 namespace {
 
-nlohmann::ordered_json grid_of(const std::string& quantity, const RuleGrid& grid, const std::vector<double>& nodes,
+nlohmann::ordered_json grid_of(const std::string& quantity, const TableValues& grid, const std::vector<double>& nodes,
                                const std::vector<double>& errors, const TableJob& job) {
   nlohmann::ordered_json record{{"quantity", quantity}};
   for (const double each : grid.speeds) record["speed"].push_back(each * job.unit);
@@ -35,7 +35,7 @@ std::string as_json(const TableArguments& arguments, const TableJob& job, const 
                 rule.greatest_restitution_error());
   const RuleValues& values = rule.values();
   document["greatest_sliding_error"] = rule.greatest_sliding_error();
-  document["inverse_is_same"] = values.alike;
+  document["inverse_is_same"] = values.sliding.alike;
   if (values.friction) document["friction"] = *values.friction;
   document["records"] = {
       grid_of("restitution", values.restitution, rule.restitution_nodes(), rule.restitution_errors(), job),

@@ -13,4 +13,5 @@
 #include "stoss/table/restitution_function.hpp"
 #include "stoss/table/rule_table.hpp"
 #include "stoss/table/slow_law.hpp"
+#include "stoss/table/table_values.hpp"
 #include "stoss/table/two_column.hpp"

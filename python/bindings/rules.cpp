@@ -19,12 +19,13 @@ namespace {
 /// Speeds, slips, ratios, values with their errors, and errors of the interpolation.
 using GridOfDoubles = std::array<Doubles, 6>;
 
-RuleGrid to_grid(const GridOfDoubles& given) {
+TableValues to_grid(const GridOfDoubles& given, bool alike) {
   const auto& [speed, slip, ratio, value, error, interpolation] = given;
-  return {to_vector(speed), to_vector(slip), to_vector(ratio), to_estimates(value, error), to_vector(interpolation)};
+  return {to_vector(speed),           to_vector(slip),          to_vector(ratio),
+          to_estimates(value, error), to_vector(interpolation), alike};
 }
 
-GridOfDoubles to_doubles(RuleGrid grid) {
+GridOfDoubles to_doubles(TableValues grid) {
   const auto shape = [](auto&&... axes) { return std::vector<py::ssize_t>{static_cast<py::ssize_t>(axes)...}; };
   const auto intervals = [](const std::vector<double>& places) { return places.size() > 1 ? places.size() - 1 : 1; };
   const auto own = shape(grid.speeds.size(), grid.slips.size(), grid.ratios.size());
@@ -40,7 +41,7 @@ GridOfDoubles to_doubles(RuleGrid grid) {
 
 RuleTable made_rule(const GridOfDoubles& restitution, const GridOfDoubles& sliding, bool alike,
                     std::optional<double> friction, const std::string& beyond) {
-  return RuleTable({to_grid(restitution), to_grid(sliding), alike, friction}, to_beyond(beyond));
+  return RuleTable({to_grid(restitution, alike), to_grid(sliding, alike), friction}, to_beyond(beyond));
 }
 
 /// ε_n, its error, s′ and its error, one after the other.
@@ -105,7 +106,8 @@ void bind_rules(py::module_& module) {
   };
   def(rule, "evaluate", {"speed", "sliding", "friction", "ratio"}, &evaluated);
   def(rule, "given", [](const RuleTable& self) {
-    return std::tuple(to_doubles(self.values().restitution), to_doubles(self.values().sliding), self.values().alike);
+    return std::tuple(to_doubles(self.values().restitution), to_doubles(self.values().sliding),
+                      self.values().sliding.alike);
   });
   def(rule, "nodes", nodes);
   def(rule, "errors", [](const RuleTable& self) {

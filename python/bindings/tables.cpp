@@ -16,26 +16,23 @@ namespace {
 
 RestitutionFunction made_function(const Doubles& speed, const Doubles& value, const Doubles& error,
                                   const Doubles& interpolation, const std::string& beyond, const SlowLaw& law) {
-  std::vector<Knot> knots;
-  for (py::ssize_t k = 0; k < speed.size(); ++k) knots.push_back({speed.data()[k], {value.data()[k], error.data()[k]}});
-  return RestitutionFunction(std::move(knots), to_beyond(beyond), law, to_vector(interpolation));
+  return RestitutionFunction({.speeds = to_vector(speed),
+                              .values = to_estimates(value, error),
+                              .interpolation_error = to_vector(interpolation)},
+                             to_beyond(beyond), law);
 }
 
 PairTable made_table(const Doubles& speed, const Doubles& ratio, const Doubles& value, const Doubles& error,
                      const Doubles& interpolation, bool alike, const std::string& beyond) {
-  return PairTable({to_vector(speed), to_vector(ratio), to_estimates(value, error), to_vector(interpolation), alike},
-                   to_beyond(beyond));
+  return PairTable(
+      {to_vector(speed), {0.0}, to_vector(ratio), to_estimates(value, error), to_vector(interpolation), alike},
+      to_beyond(beyond));
 }
 
 auto knots(const RestitutionFunction& function) {
-  std::vector<double> speed;
-  std::vector<Estimate> values;
-  for (const auto& [at, restitution] : function.knots()) {
-    speed.push_back(at);
-    values.push_back(restitution);
-  }
-  const auto size = static_cast<py::ssize_t>(speed.size());
-  return std::tuple_cat(std::tuple(take(std::move(speed))), to_arrays(values, {size}));
+  const auto& [speeds, slips, ratios, values, interpolation, alike] = function.values();
+  return std::tuple_cat(std::tuple(take(std::vector(speeds))),
+                        to_arrays(values, {static_cast<py::ssize_t>(speeds.size())}));
 }
 
 void bind_function(py::module_& module) {
@@ -45,7 +42,7 @@ void bind_function(py::module_& module) {
   bind_c_header(function);
   def(function, "knots", &knots);
   def(function, "interpolation_errors",
-      [](const RestitutionFunction& self) { return take(std::vector(self.interpolation_errors())); });
+      [](const RestitutionFunction& self) { return take(std::vector(self.values().interpolation_error)); });
   def(function, "two_column", {"error", "scale"},
       py::overload_cast<const RestitutionFunction&, double, double>(&two_column));
   def(module, "make_function", {"speed", "restitution", "restitution_error", "interpolation_error", "beyond", "law"},
@@ -59,8 +56,8 @@ void bind_function(py::module_& module) {
 }
 
 auto given(const PairTable& table) {
-  PairValues values = table.values();
-  const auto [value, error] = to_arrays(values.restitution, {static_cast<py::ssize_t>(values.restitution.size())});
+  TableValues values = table.values();
+  const auto [value, error] = to_arrays(values.values, {static_cast<py::ssize_t>(values.values.size())});
   return std::tuple(take(std::move(values.speeds)), take(std::move(values.ratios)), value, error,
                     take(std::move(values.interpolation_error)), values.alike);
 }

@@ -36,6 +36,11 @@ void require_options(double slowest, double fastest, const FunctionOptions& opti
   require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
 }
 
+struct Knot {
+  double speed;
+  Estimate restitution;
+};
+
 /// An interval between knots that is to be halved.
 struct Gap {
   double left, right;  ///< ln v of its ends
@@ -75,11 +80,13 @@ class Computation {
   const FunctionOptions& options_;
 };
 
-std::vector<Knot> values(const std::map<double, Knot>& knots) {
-  std::vector<Knot> list;
-  list.reserve(knots.size());
-  for (const auto& each : knots) list.push_back(each.second);
-  return list;
+TableValues values(const std::map<double, Knot>& knots) {
+  TableValues table;
+  for (const auto& [logarithm, knot] : knots) {
+    table.speeds.push_back(knot.speed);
+    table.values.push_back(knot.restitution);
+  }
+  return table;
 }
 
 /// What it costs each interval that the cubic rises and falls only as its knots do: a bound of how far it is from the
@@ -174,7 +181,9 @@ RestitutionFunction restitution_function(const ComputedRestitution& computed, do
       if (each > enough) open.push_back({begins, ends});
     }
   }
-  return RestitutionFunction(values(computation.knots), options.beyond, options.law, std::move(interpolation));
+  TableValues table = values(computation.knots);
+  table.interpolation_error = std::move(interpolation);
+  return RestitutionFunction(std::move(table), options.beyond, options.law);
 }
 
 }  // namespace stoss

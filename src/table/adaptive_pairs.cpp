@@ -42,8 +42,8 @@ class Pairs {
     while (grid_.halve({share_of_grid * options_.error})) compute();
   }
 
-  [[nodiscard]] PairValues values() const {
-    PairValues table{{}, {}, grid_.values(0), grid_.interpolation_errors(0), mixture_.alike};
+  [[nodiscard]] TableValues values() const {
+    TableValues table{{}, {0.0}, {}, grid_.values(0), grid_.interpolation_errors(0), mixture_.alike};
     for (const double each : grid_.axis(0).x()) table.speeds.push_back(speeds_.speed(each));
     for (const double each : grid_.axis(2).x()) table.ratios.push_back(ratios_.ratio(each));
     return table;

@@ -2,17 +2,9 @@
 
 #include <utility>
 
-#include "stoss/table/pair_table.hpp"
 #include "stoss/table/restitution_function.hpp"
-#include "stoss/table/rule_table.hpp"
 
 namespace stoss {
-
-/// Throws InvalidInput for what a PairTable cannot be made of.
-void require_values(const PairValues& values);
-
-/// Throws InvalidInput for what a RuleTable cannot be made of.
-void require_values(const RuleValues& values);
 
 /// Throws InvalidInput for what a PairTable or a RuleTable does not do beyond its range.
 void require_beyond(Beyond beyond);
@@ -25,10 +17,9 @@ namespace stoss::table {
 /// errors of values count between them.
 inline constexpr double weight_between_places = 1.25;
 
-/// Slowest and fastest speed of a function in another unit. They are rounded outwards to 15 digits where that is the
+/// Slowest and fastest speed of a table in another unit. They are rounded outwards to 15 digits where that is the
 /// same number but for rounding: what was typed in that unit is then what is written.
 /// @throws InvalidInput for a scale that is not positive and finite
-[[nodiscard]] std::pair<double, double> speed_range(const RestitutionFunction& function, double scale);
 [[nodiscard]] std::pair<double, double> speed_range(double slowest, double fastest, double scale);
 
 }  // namespace stoss::table

@@ -78,11 +78,11 @@ struct Axis {
 
 std::vector<Axis> axes_of(const CGrid& grid, double scale) {
   std::vector<Axis> axes{{grid.name + "_speeds", "ln(speed)", "x", {}}};
-  for (const double each : grid.speeds) axes[0].places.push_back(std::log(each * scale));
-  if (grid.slips.size() > 1) axes.push_back({grid.name + "_slips", "z", "z", grid.slips});
-  if (grid.ratios.size() > 1) {
+  for (const double each : grid.values.speeds) axes[0].places.push_back(std::log(each * scale));
+  if (grid.values.slips.size() > 1) axes.push_back({grid.name + "_slips", "z", "z", grid.values.slips});
+  if (grid.values.ratios.size() > 1) {
     axes.push_back({grid.name + "_ratios", "(ratio - 1)/(ratio + 1)", "p", {}});
-    for (const double each : grid.ratios) axes.back().places.push_back(place_of_ratio(each));
+    for (const double each : grid.values.ratios) axes.back().places.push_back(place_of_ratio(each));
   }
   return axes;
 }

@@ -7,12 +7,12 @@
 
 namespace stoss::table {
 
-/// Values on a grid of one to three axes, as a header in C has them. Slips and ratios of one place do not count.
+/// A table as a header in C has it.
 struct CGrid {
   std::string name;  ///< of its arrays
-  std::vector<double> speeds, slips{0.0}, ratios{1.0};
-  std::vector<double> nodes;   ///< of numeric::CubicGrid
-  std::vector<double> errors;  ///< of its cells
+  const TableValues& values;
+  const std::vector<double>& nodes;
+  const std::vector<double>& errors;
 };
 
 /// Arrays of grids, and the function name_look_up(x, z, p, found) that sets the value of each and its error, in turn,

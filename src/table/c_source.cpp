@@ -48,7 +48,7 @@ std::vector<std::string> comment(const RestitutionFunction& function, const Tabl
       "and its error HUGE_VAL. NaN gives NaN.",
       "",
       "A cubic in ln v, monotone where the values are, between values computed at " +
-          std::to_string(function.knots().size()) + " speeds.",
+          std::to_string(function.values().speeds.size()) + " speeds.",
       ""};
   if (label.by_models) {
     const std::vector<std::string> more{
@@ -80,20 +80,20 @@ std::vector<std::string> comment(const PairTable& pairs, const TableLabel& label
       ""};
 }
 
-/// The header of one grid. @param about its first comment
-std::string header(const std::string& name, table::CGrid grid, bool alike, Beyond beyond,
-                   std::vector<std::string> about, const TableLabel& label) {
+/// The header of one table. @param about its first comment
+template <typename Face>
+std::string header(const std::string& name, const Face& face, std::vector<std::string> about, const TableLabel& label) {
   table::require_c_name(label.name);
-  grid.name = name + "_restitution";
-  const bool mixture = grid.ratios.size() > 1;
-  const table::CRange range(grid.ratios, alike);
+  const table::CGrid grid{name + "_restitution", face.values(), face.nodes(), face.errors()};
+  const bool mixture = grid.values.ratios.size() > 1;
+  const table::CRange range(grid.values.ratios, grid.values.alike);
   std::string outside = "    return;\n";
-  if (beyond == Beyond::clamp) {
+  if (face.beyond() == Beyond::clamp) {
     outside = (mixture ? "    if (!(ratio > 0.0)) return;\n" : "") + range.nearest;
   }
   std::vector<std::string> arguments{"speed"};
   if (mixture) arguments.emplace_back("ratio");
-  const std::string body = table::c_limits(grid.speeds, grid.ratios, label.scale) + "\n" +
+  const std::string body = table::c_limits(grid.values.speeds, grid.values.ratios, label.scale) + "\n" +
                            table::c_look_up({grid}, label.scale) + std::string(at) +
                            table::c_numbers_of(arguments, {"restitution", "restitution_error"});
   return table::c_file(name, table::c_description(std::move(about), name, label),
@@ -116,23 +116,11 @@ std::string c_header(const RestitutionFunction& function, const TableLabel& labe
   if (function.beyond() == Beyond::law) {
     throw InvalidInput::out_of_range("beyond", "law", "error or clamp", "a table in C has no law of slow impacts");
   }
-  table::CGrid grid;
-  for (std::size_t k = 0; k < function.knots().size(); ++k) {
-    grid.speeds.push_back(function.knots()[k].speed);
-    grid.nodes.push_back(function.knots()[k].restitution.value);
-    grid.nodes.push_back(function.slopes()[k]);
-  }
-  grid.errors = function.errors();
-  return header(label.name, std::move(grid), false, function.beyond(), comment(function, label), label);
+  return header(label.name, function, comment(function, label), label);
 }
 
 std::string c_header(const PairTable& pairs, const TableLabel& label) {
-  const PairValues& values = pairs.values();
-  table::CGrid grid{{}, values.speeds, {0.0}, values.ratios, {}, pairs.errors()};
-  for (const auto& [value, by_speed, by_ratio, by_both] : pairs.nodes()) {
-    grid.nodes.insert(grid.nodes.end(), {value, by_speed, by_ratio, by_both});
-  }
-  return header(label.name + "_pair", std::move(grid), values.alike, pairs.beyond(), comment(pairs, label), label);
+  return header(label.name + "_pair", pairs, comment(pairs, label), label);
 }
 
 }  // namespace stoss

@@ -20,7 +20,7 @@ constexpr double least_error = 1.01;  // of the error of the function, to leave 
 class Chords {
  public:
   Chords(const RestitutionFunction& function, double error) : function_(function), error_(share * error) {
-    for (const Knot& knot : function.knots()) knots_.push_back(std::log(knot.speed));
+    for (const double each : function.values().speeds) knots_.push_back(std::log(each));
   }
 
   [[nodiscard]] double begin() const { return knots_.front(); }
@@ -85,7 +85,7 @@ class Chords {
 }  // namespace
 
 std::string two_column(const RestitutionFunction& function, double error, double scale) {
-  const auto [slowest, fastest] = table::speed_range(function, scale);
+  const auto [slowest, fastest] = table::speed_range(function.slowest(), function.fastest(), scale);
   const double allowed = least_error * function.greatest_error();
   if (!(error >= allowed) || !std::isfinite(error)) {
     throw InvalidInput::out_of_range("error", shown(error), shown(allowed) + " or more",

@@ -13,9 +13,9 @@ namespace stoss::test {
 
 /// A grid with a function of speed, z and ratio, and the error 1e-3.
 template <typename Function>
-RuleGrid rule_grid(std::vector<double> speeds, std::vector<double> slips, std::vector<double> ratios,
-                   Function function) {
-  RuleGrid grid{std::move(speeds), std::move(slips), std::move(ratios), {}, {}};
+TableValues rule_grid(std::vector<double> speeds, std::vector<double> slips, std::vector<double> ratios,
+                      Function function) {
+  TableValues grid{std::move(speeds), std::move(slips), std::move(ratios)};
   for (const double v : grid.speeds) {
     for (const double z : grid.slips) {
       for (const double r : grid.ratios) grid.values.push_back({function(v, z, r), 1e-3});

@@ -12,23 +12,23 @@
 namespace stoss::test {
 
 inline RestitutionFunction golden_function(Beyond beyond) {
-  std::vector<Knot> knots;
+  TableValues values;
   for (const double v : {0.0001, 0.0003, 0.0005, 0.002, 0.003, 0.01, 0.02, 0.05, 0.11, 0.13, 0.3}) {
-    knots.push_back({v, {0.98 - 1.7 * v + 5.0 * v * v, 1e-4 + 1e-3 * v}});
+    values.speeds.push_back(v);
+    values.values.push_back({0.98 - 1.7 * v + 5.0 * v * v, 1e-4 + 1e-3 * v});
   }
-  std::vector<double> interpolation;
-  for (int k = 0; k < 10; ++k) interpolation.push_back(1e-5 * (1 + k % 3));
-  return RestitutionFunction(std::move(knots), beyond, {}, std::move(interpolation));
+  for (int k = 0; k < 10; ++k) values.interpolation_error.push_back(1e-5 * (1 + k % 3));
+  return RestitutionFunction(std::move(values), beyond);
 }
 
 inline PairTable golden_pairs(bool alike, Beyond beyond) {
-  PairValues values;
+  TableValues values;
   values.speeds = {0.01, 0.013, 0.02, 0.05, 0.06, 0.2};
   values.ratios = alike ? std::vector{1.0, 1.5, 3.0} : std::vector{0.5, 0.6, 0.9, 1.3, 2.0, 7.0};
   values.alike = alike;
   for (const double v : values.speeds) {
     for (const double r : values.ratios) {
-      values.restitution.push_back({0.9 - v + 2.0 * v * v - 0.02 * (r + 1.0 / r), 1e-3 * (1.0 + v)});
+      values.values.push_back({0.9 - v + 2.0 * v * v - 0.02 * (r + 1.0 / r), 1e-3 * (1.0 + v)});
     }
   }
   values.interpolation_error.assign((values.speeds.size() - 1) * (values.ratios.size() - 1), 2e-3);
@@ -37,7 +37,7 @@ inline PairTable golden_pairs(bool alike, Beyond beyond) {
 
 inline RuleTable golden_rule(bool mixture, Beyond beyond) {
   RuleValues values = mixture ? some_rule({1.0, 1.5, 3.0}) : some_rule();
-  values.alike = mixture;
+  values.restitution.alike = values.sliding.alike = mixture;
   if (mixture) values.friction = 0.3;
   return RuleTable(std::move(values), beyond);
 }

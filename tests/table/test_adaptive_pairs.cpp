@@ -81,7 +81,7 @@ TEST(AdaptivePair, HasTheSameBitsForAnyThreads) {
   ASSERT_EQ(one.values().speeds, three.values().speeds);
   ASSERT_EQ(one.values().ratios, three.values().ratios);
   EXPECT_EQ(one.errors(), three.errors());
-  for (std::size_t i = 0; i < one.nodes().size(); ++i) EXPECT_EQ(one.nodes()[i].value, three.nodes()[i].value);
+  EXPECT_EQ(one.nodes(), three.nodes());
 }
 
 TEST(AdaptivePair, SaysWhatCannotBe) {

@@ -16,10 +16,10 @@ double relative(double ratio) { return (ratio - 1.0) / (ratio + 1.0); }
 
 /// Values of a function on a grid, each with the error 1e-3.
 template <typename Function>
-PairValues values(std::vector<double> speeds, std::vector<double> ratios, Function function) {
-  PairValues table;
+TableValues values(std::vector<double> speeds, std::vector<double> ratios, Function function) {
+  TableValues table;
   for (const double v : speeds) {
-    for (const double r : ratios) table.restitution.push_back({function(v, r), 1e-3});
+    for (const double r : ratios) table.values.push_back({function(v, r), 1e-3});
   }
   table.interpolation_error.assign((speeds.size() - 1) * (ratios.size() - 1), 2e-3);
   table.speeds = std::move(speeds);
@@ -29,7 +29,7 @@ PairValues values(std::vector<double> speeds, std::vector<double> ratios, Functi
 
 double smooth(double v, double r) { return 0.9 + 0.02 * std::log(v) - 0.3 * relative(r) * relative(r); }
 
-PairValues uneven() { return values({0.01, 0.013, 0.02, 0.05, 0.06, 0.2}, {0.5, 0.6, 0.9, 1.3, 2.0, 7.0}, smooth); }
+TableValues uneven() { return values({0.01, 0.013, 0.02, 0.05, 0.06, 0.2}, {0.5, 0.6, 0.9, 1.3, 2.0, 7.0}, smooth); }
 
 TEST(PairTable, IsExactForLinesInTheLogarithmAndParabolasBetweenRatios) {
   const PairTable table(uneven());
@@ -47,13 +47,13 @@ TEST(PairTable, IsExactForLinesInTheLogarithmAndParabolasBetweenRatios) {
 TEST(PairTable, MeetsItsNodes) {
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> uniform(0.3, 1.0);
-  const PairValues given = values(uneven().speeds, uneven().ratios, [&](double, double) { return uniform(random); });
+  const TableValues given = values(uneven().speeds, uneven().ratios, [&](double, double) { return uniform(random); });
   const PairTable table(given);
-  ASSERT_EQ(table.nodes().size(), 36U);
+  ASSERT_EQ(table.nodes().size(), 4 * 36U);
   for (std::size_t k = 0; k < 6; ++k) {
     for (std::size_t j = 0; j < 6; ++j) {
-      EXPECT_NEAR(table.value(given.speeds[k], given.ratios[j]), given.restitution[6 * k + j].value, 1e-13);
-      EXPECT_EQ(table.nodes()[6 * k + j].value, given.restitution[6 * k + j].value);
+      EXPECT_NEAR(table.value(given.speeds[k], given.ratios[j]), given.values[6 * k + j].value, 1e-13);
+      EXPECT_EQ(table.nodes()[4 * (6 * k + j)], given.values[6 * k + j].value);
     }
   }
 }
@@ -76,7 +76,7 @@ TEST(PairTable, IsSmoothAcrossItsCells) {
 }
 
 TEST(PairTable, OfBodiesThatAreAlikeIsSymmetric) {
-  PairValues given = values({0.01, 0.02, 0.1}, {1.0, 1.5, 3.0}, smooth);
+  TableValues given = values({0.01, 0.02, 0.1}, {1.0, 1.5, 3.0}, smooth);
   given.alike = true;
   const PairTable table(given);
   for (const double r : {1.0, 1.1, 1.7, 2.2, 3.0}) {
@@ -113,7 +113,7 @@ TEST(PairTable, RefusesWhatIsBeyondItsRangeOrClampsIt) {
 }
 
 TEST(PairTable, RefusesValuesOfNoTable) {
-  PairValues given = uneven();
+  TableValues given = uneven();
   given.speeds[1] = 0.01;
   test::expect_refusal([&] { (void)PairTable(given); }, {"speeds", "0.01"});
   given = uneven();
@@ -123,10 +123,10 @@ TEST(PairTable, RefusesValuesOfNoTable) {
   given.alike = true;
   test::expect_refusal([&] { (void)PairTable(given); }, {"ratios", "0.5"});
   given = uneven();
-  given.restitution.pop_back();
+  given.values.pop_back();
   test::expect_refusal([&] { (void)PairTable(given); }, {"restitution", "35", "36"});
   given = uneven();
-  given.restitution[7].error = std::numeric_limits<double>::infinity();
+  given.values[7].error = std::numeric_limits<double>::infinity();
   test::expect_refusal([&] { (void)PairTable(given); }, {"restitution", "inf"});
   given = uneven();
   given.interpolation_error[3] = -1.0;

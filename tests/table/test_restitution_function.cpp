@@ -19,16 +19,17 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Knots at uneven distances whose values go up and down, with steps of equal values.
-std::vector<Knot> uneven_values(std::size_t count = 40) {
+TableValues uneven_values(std::size_t count = 40) {
   std::mt19937_64 random(7);
-  std::vector<Knot> knots;
+  TableValues table;
   double logarithm = std::log(1e-4);
   for (std::size_t k = 0; k < count; ++k) {
     logarithm += 0.02 + 1e-20 * static_cast<double>(random());
-    const double value = k % 7 == 3 ? knots.back().restitution.value : 0.5 + 2e-20 * static_cast<double>(random());
-    knots.push_back({std::exp(logarithm), {value, 1e-6 * static_cast<double>(k % 5)}});
+    const double value = k % 7 == 3 ? table.values.back().value : 0.5 + 2e-20 * static_cast<double>(random());
+    table.speeds.push_back(std::exp(logarithm));
+    table.values.push_back({value, 1e-6 * static_cast<double>(k % 5)});
   }
-  return knots;
+  return table;
 }
 
 RestitutionFunction with(Beyond beyond, const SlowLaw& law = {}) {
@@ -40,22 +41,20 @@ SlowLaw halves() {
 }
 
 TEST(RestitutionFunction, IsTheMonotoneCubicOfBoost) {
-  const std::vector<Knot> knots = uneven_values();
+  const TableValues given = uneven_values();
   std::vector<double> x, y;
-  for (const Knot& knot : knots) {
-    x.push_back(std::log(knot.speed));
-    y.push_back(knot.restitution.value);
-  }
+  for (const double each : given.speeds) x.push_back(std::log(each));
+  for (const Estimate& each : given.values) y.push_back(each.value);
   const auto begin = x.front(), end = x.back();
   const boost::math::interpolators::pchip boost(std::move(x), std::move(y));
-  const RestitutionFunction function(knots);
+  const RestitutionFunction function(given);
   for (int i = 1; i < 1000; ++i) {
     const double at = begin + (end - begin) * i / 1000.0;
     EXPECT_NEAR(function.value(std::exp(at)), boost(at), 1e-14) << at;
   }
-  for (const Knot& knot : knots) {
-    EXPECT_NEAR(function.value(knot.speed), knot.restitution.value, 1e-15);
-    EXPECT_GE(function(knot.speed).error, knot.restitution.error);
+  for (std::size_t k = 0; k < given.speeds.size(); ++k) {
+    EXPECT_NEAR(function.value(given.speeds[k]), given.values[k].value, 1e-15);
+    EXPECT_GE(function(given.speeds[k]).error, given.values[k].error);
   }
 }
 
@@ -66,14 +65,17 @@ TEST(RestitutionFunction, CountsASpeedWithoutItsSignAndBothWaysToAValueAgree) {
     EXPECT_EQ(function(speed).value, function.value(speed));
     EXPECT_LE(function(speed).error, function.greatest_error());
   }
-  EXPECT_EQ(function.value(function.fastest()), function.knots().back().restitution.value);
+  EXPECT_EQ(function.value(function.fastest()), function.values().values.back().value);
 }
 
 TEST(RestitutionFunction, KnowsTheErrorOfACubicThroughASmoothCurve) {
-  std::vector<Knot> knots;
+  TableValues given;
   const auto curve = [](double speed) { return 0.9 + 0.05 * std::sin(2.0 * std::log(speed)); };
-  for (double x = -6.0; x < 0.0; x += 0.1) knots.push_back({std::exp(x), {curve(std::exp(x)), 0.0}});
-  const RestitutionFunction function(knots);
+  for (double x = -6.0; x < 0.0; x += 0.1) {
+    given.speeds.push_back(std::exp(x));
+    given.values.push_back({curve(std::exp(x)), 0.0});
+  }
+  const RestitutionFunction function(given);
   double worst = 0.0;
   for (double speed = function.slowest(); speed < function.fastest(); speed *= 1.003) {
     const Estimate found = function(speed);
@@ -85,8 +87,8 @@ TEST(RestitutionFunction, KnowsTheErrorOfACubicThroughASmoothCurve) {
 }
 
 TEST(RestitutionFunction, DoesBeyondItsRangeWhatItsMakerChose) {
-  const std::vector<Knot> knots = uneven_values();
-  const double slow = 0.9 * knots.front().speed, fast = 1.1 * knots.back().speed;
+  const TableValues given = uneven_values();
+  const double slow = 0.9 * given.speeds.front(), fast = 1.1 * given.speeds.back();
   const RestitutionFunction refusing = with(Beyond::error);
   for (const double speed : {slow, fast, 0.0, 1e300, 1e-300}) {
     test::expect_refusal([&] { (void)refusing(speed); }, {"speed", "range"});
@@ -94,11 +96,11 @@ TEST(RestitutionFunction, DoesBeyondItsRangeWhatItsMakerChose) {
   }
   const RestitutionFunction clamped = with(Beyond::clamp);
   for (const double speed : {slow, 0.0, 1e-300, -slow}) {
-    EXPECT_EQ(clamped(speed).value, knots.front().restitution.value);
+    EXPECT_EQ(clamped(speed).value, given.values.front().value);
     EXPECT_EQ(clamped(speed).error, infinity);
-    EXPECT_EQ(clamped.value(speed), knots.front().restitution.value);
+    EXPECT_EQ(clamped.value(speed), given.values.front().value);
   }
-  EXPECT_EQ(clamped(fast).value, knots.back().restitution.value);
+  EXPECT_EQ(clamped(fast).value, given.values.back().value);
   EXPECT_EQ(clamped(1e300).error, infinity);
   const RestitutionFunction lawful = with(Beyond::law, halves());
   EXPECT_EQ(lawful(-slow).value, 1.0 - slow);
@@ -114,26 +116,28 @@ TEST(RestitutionFunction, DoesBeyondItsRangeWhatItsMakerChose) {
 }
 
 TEST(RestitutionFunction, RefusesWhatIsNoFunction) {
-  const auto refuses = [](std::vector<Knot> knots, const char* what) {
-    test::expect_refusal([&] { (void)RestitutionFunction(knots); }, {what});
+  const auto refuses = [](const TableValues& values, const char* what) {
+    test::expect_refusal([&] { (void)RestitutionFunction(values); }, {what});
   };
-  refuses({}, "knots");
+  refuses({}, "speeds");
   refuses(uneven_values(4), "5");
   for (const double bad : {0.0, -1.0, nan, infinity, 1e-4}) {
-    std::vector<Knot> knots = uneven_values();
-    knots[7].speed = bad;
-    refuses(knots, "speed");
+    TableValues values = uneven_values();
+    values.speeds[7] = bad;
+    refuses(values, "speed");
   }
   for (const double bad : {nan, infinity}) {
-    std::vector<Knot> knots = uneven_values();
-    knots[7].restitution.value = bad;
-    refuses(knots, "converged");
-    knots = uneven_values();
-    knots[7].restitution.error = bad;
-    refuses(knots, "converged");
+    TableValues values = uneven_values();
+    values.values[7].value = bad;
+    refuses(values, "converged");
+    values = uneven_values();
+    values.values[7].error = bad;
+    refuses(values, "converged");
   }
   const auto make = [](Beyond beyond, const SlowLaw& law, const std::vector<double>& error) {
-    return [=] { (void)RestitutionFunction(uneven_values(), beyond, law, error); };
+    TableValues values = uneven_values();
+    values.interpolation_error = error;
+    return [=] { (void)RestitutionFunction(values, beyond, law); };
   };
   test::expect_refusal(make(Beyond::law, {}, {}), {"beyond", "law"});
   const SlowLaw silent = [](double) { return Estimate{0.5, infinity}; };

@@ -20,7 +20,7 @@ constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 TEST(RuleTable, HasItsValuesAtItsPlaces) {
   const RuleValues values = test::some_rule();
   const RuleTable rule(values);
-  const RuleGrid& grid = values.sliding;
+  const TableValues& grid = values.sliding;
   constexpr double friction = 0.4;
   std::size_t i = 0;
   for (const double v : grid.speeds) {
@@ -81,7 +81,7 @@ TEST(RuleTable, NeverGainsEnergy) {
 
 TEST(RuleTable, OfAlikeBodiesIsSymmetric) {
   RuleValues values = test::some_rule({1.0, 1.5, 3.0});
-  values.alike = true;
+  values.restitution.alike = values.sliding.alike = true;
   const RuleTable rule(values);
   for (const double r : {1.0, 1.2, 2.0, 3.0}) {
     EXPECT_NEAR(rule(0.03, 0.01, 0.3, r).sliding_after, rule(0.03, 0.01, 0.3, 1.0 / r).sliding_after, 1e-16) << r;

@@ -77,9 +77,9 @@ INSTANTIATE_TEST_SUITE_P(SlowLaw, Laws, testing::ValuesIn(cases()),
 
 TEST(SlowLaw, TakesOverBelowTheRange) {
   const Sphere ball{.poisson = 0.3};
-  std::vector<Knot> knots;
-  for (int k = 0; k < 6; ++k) knots.push_back({1e-3 * std::pow(2.0, k), {0.99, 1e-6}});
-  const RestitutionFunction function(knots, Beyond::law, slow_law(ball));
+  TableValues values{.values = std::vector<Estimate>(6, {0.99, 1e-6})};
+  for (int k = 0; k < 6; ++k) values.speeds.push_back(1e-3 * std::pow(2.0, k));
+  const RestitutionFunction function(values, Beyond::law, slow_law(ball));
   const Estimate slow = function(-1e-5);
   EXPECT_EQ(slow.value, slow_law(ball)(1e-5).value);
   EXPECT_EQ(slow.error, slow_law(ball)(1e-5).error);

@@ -20,15 +20,17 @@ namespace {
 
 /// A wave between 1e-4 and 0.3 with a known error.
 RestitutionFunction wave(Beyond beyond = Beyond::clamp, double error = 1e-4) {
-  std::vector<Knot> knots;
+  TableValues values;
   const double begin = std::log(1e-4), end = std::log(0.3);
   constexpr int last = 60;
   for (int k = 0; k <= last; ++k) {
     const double x = begin + (end - begin) * k / last;
     const double speed = k == 0 ? 1e-4 : k == last ? 0.3 : std::exp(x);
-    knots.push_back({speed, {0.9 + 0.05 * std::sin(2.0 * x) - 0.3 * speed, error}});
+    values.speeds.push_back(speed);
+    values.values.push_back({0.9 + 0.05 * std::sin(2.0 * x) - 0.3 * speed, error});
   }
-  return RestitutionFunction(std::move(knots), beyond, {}, std::vector<double>(last, 0.0));
+  values.interpolation_error.assign(last, 0.0);
+  return RestitutionFunction(std::move(values), beyond);
 }
 
 std::vector<std::pair<double, double>> read(const std::string& text) {
@@ -118,11 +120,7 @@ TEST(SpeedRange, IsWhatWasTyped) {
     const double c = 5000.0 + 0.7 * i;
     const double slowest = 0.01 / c, fastest = 7.3 / c;
     if (slowest * c != 0.01 || fastest * c != 7.3) ++rounded;
-    std::vector<Knot> knots;
-    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-      knots.push_back({share < 1.0 ? slowest + share * (fastest - slowest) : fastest, {0.9, 0.0}});
-    }
-    const auto [from, to] = table::speed_range(RestitutionFunction(knots), c);
+    const auto [from, to] = table::speed_range(slowest, fastest, c);
     EXPECT_LE(from, 0.01);
     EXPECT_NEAR(from, 0.01, 1e-17);
     EXPECT_GE(to, 7.3);
@@ -133,7 +131,7 @@ TEST(SpeedRange, IsWhatWasTyped) {
 
 TEST(CHeader, RefusesWhatCCannotHave) {
   const SlowLaw none = [](double) { return Estimate{1.0, 0.0}; };
-  test::expect_refusal([&] { (void)c_header(RestitutionFunction(wave().knots(), Beyond::law, none)); },
+  test::expect_refusal([&] { (void)c_header(RestitutionFunction(wave().values(), Beyond::law, none)); },
                        {"beyond: got law"});
   test::expect_refusal([&] { (void)c_header(wave(), {.scale = -1.0}); }, {"scale: got -1"});
   for (const std::string name : {"", "1a", "_a", "a-b", "ä", "a b"}) {

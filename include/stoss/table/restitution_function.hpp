@@ -4,15 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "stoss/restitution/restitution.hpp"
+#include "stoss/table/table_values.hpp"
 
 namespace stoss {
-
-/// A computed value of a RestitutionFunction.
-struct Knot {
-  double speed = 0.0;    ///< of approach, in any unit, the same for all knots
-  Estimate restitution;  ///< ε
-};
 
 /// What a RestitutionFunction gives beyond its range.
 enum class Beyond {
@@ -32,14 +26,12 @@ using SlowLaw = std::function<Estimate(double speed)>;
 /// counts without its sign; 0 lies below every range.
 class RestitutionFunction {
  public:
-  /// @param knots               of rising speed, five or more, with finite values and errors
-  /// @param law                 for Beyond::law
-  /// @param interpolation_error of each interval between knots; empty: estimated from how well knots are met by the
-  ///                            others
-  /// @throws InvalidInput for knots that do not rise or are not finite, errors that are negative or of another number,
-  ///         and Beyond::law without a law, or with one that says nothing at the slowest knot
-  explicit RestitutionFunction(std::vector<Knot> knots, Beyond beyond = Beyond::error, SlowLaw law = {},
-                               std::vector<double> interpolation_error = {});
+  /// @param values of five speeds or more; without interpolation errors these are estimated from how well values are
+  ///               met by the others
+  /// @param law    for Beyond::law
+  /// @throws InvalidInput for speeds that do not rise, values or errors that are not finite or of another number, more
+  ///         than one slip or ratio, and Beyond::law without a law, or with one that says nothing at the slowest speed
+  explicit RestitutionFunction(TableValues values, Beyond beyond = Beyond::error, SlowLaw law = {});
 
   /// ε with its whole error. @throws InvalidInput for a speed that is not finite, and beyond the range as it says
   [[nodiscard]] Estimate operator()(double speed) const;
@@ -54,16 +46,14 @@ class RestitutionFunction {
   /// Maximum error within the range.
   [[nodiscard]] double greatest_error() const;
 
-  [[nodiscard]] const std::vector<Knot>& knots() const;
+  /// What it was made of, with the errors of the interpolation.
+  [[nodiscard]] const TableValues& values() const;
 
-  /// dε/d ln v at each knot.
-  [[nodiscard]] const std::vector<double>& slopes() const;
+  /// At each speed ε, then dε/d ln v.
+  [[nodiscard]] const std::vector<double>& nodes() const;
 
-  /// Error of each interval between knots, of their values and of the interpolation together.
+  /// Whole error of each interval.
   [[nodiscard]] const std::vector<double>& errors() const;
-
-  /// Error of the interpolation alone in each interval: with the knots they make the same function again.
-  [[nodiscard]] const std::vector<double>& interpolation_errors() const;
 
  private:
   struct Data;

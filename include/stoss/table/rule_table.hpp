@@ -8,20 +8,10 @@
 
 namespace stoss {
 
-/// Values of one part of a RuleTable on a grid. What does not depend on the sliding, or on the ratio, has one of them.
-struct RuleGrid {
-  std::vector<double> speeds;               ///< v_n, rising, in any unit: two or more
-  std::vector<double> slips{0.0};           ///< z = (|s| − μ v_n)/(|s| + μ v_n), rising from −1 to 1
-  std::vector<double> ratios{1.0};          ///< radius of the second body over that of the first, rising
-  std::vector<Estimate> values;             ///< at each speed in turn, for all slips, for all ratios
-  std::vector<double> interpolation_error;  ///< of each interval of speeds in turn, for those of slips, those of ratios
-};
-
 /// What a RuleTable is made of.
 struct RuleValues {
-  RuleGrid restitution;              ///< ε_n
-  RuleGrid sliding;                  ///< q = s′/(|s| + μ v_n): 0 at z = −1, 1 at z = 1
-  bool alike = false;                ///< bodies of one material: a ratio and its inverse are the same pair
+  TableValues restitution;           ///< ε_n
+  TableValues sliding;               ///< q = s′/(|s| + μ v_n): 0 at z = −1, 1 at z = 1
   std::optional<double> friction{};  ///< μ for which the values hold; nothing: any
 };
 
@@ -39,7 +29,7 @@ struct Rule {
 /// other; else the table is of one friction. Tabulated is q = s′/(|s| + μ v_n) against z = (|s| − μ v_n)/(|s| + μ v_n):
 /// near z = −1, where all sticks, it is −½ε_t (1 + z), and from where all slides throughout on to z = 1, with
 /// s′ = s − fμ v_n, it is a straight line as well. So there is nothing beyond its range but speeds and ratios. In ln v
-/// it is a MonotoneCubic, in z and in the ratio a cubic with the slopes of parabolas, as in PairTable.
+/// it is a monotone cubic, in z and in the ratio a cubic with the slopes of parabolas, as in PairTable.
 ///
 /// ε_n ≤ 1 and |s′| ≤ |s| hold at any arguments: no collision gains energy. Velocity and spin count by their sum s.
 /// What is not so, because contact points beside the foremost one have shorter arms, is in the error of s′.

@@ -43,21 +43,6 @@ void require_friction(bool mixing, const AxisRange& speeds, const RuleTableOptio
   }
 }
 
-RuleGrid grid_of(const RestitutionFunction& function) {
-  RuleGrid made;
-  made.interpolation_error = function.interpolation_errors();
-  for (const auto& [speed, restitution] : function.knots()) {
-    made.speeds.push_back(speed);
-    made.values.push_back(restitution);
-  }
-  return made;
-}
-
-RuleGrid grid_of(const PairTable& pairs) {
-  const PairValues& values = pairs.values();
-  return {values.speeds, {0.0}, values.ratios, values.restitution, values.interpolation_error};
-}
-
 /// @param normal ε_n of a speed, and of a ratio, alone
 template <typename Normal>
 RuleTable made(const std::function<RefinableContact(double)>& contact, const RuleRanges& ranges,
@@ -65,12 +50,11 @@ RuleTable made(const std::function<RefinableContact(double)>& contact, const Rul
   require_friction(mixes(contact(ranges.ratios.high), options.poll), ranges.speeds, options);
   // Where bodies may stay, their restitution may refuse the error at once; else wide contacts refuse their speeds.
   const bool may_stay = contact(ranges.ratios.high).at(0, options.poll).gives_way;
-  RuleGrid of_normal = !options.friction && may_stay ? normal() : RuleGrid{};
+  TableValues of_normal = !options.friction && may_stay ? normal() : TableValues{};
   AdaptiveRules rules(contact, ranges, options);
   if (!options.friction && !may_stay) of_normal = normal();
   rules.refine();
-  RuleValues values{options.friction ? rules.values(1) : std::move(of_normal), rules.values(0), ranges.alike,
-                    options.friction};
+  RuleValues values{options.friction ? rules.values(1) : std::move(of_normal), rules.values(0), options.friction};
   RuleTable table(std::move(values), options.beyond);
   const auto require_reached = [](const char* name, double reached, double allowed) {
     if (reached <= allowed) return;
@@ -86,12 +70,12 @@ RuleTable made(const std::function<RefinableContact(double)>& contact, const Rul
 RuleTable rule_table(const RefinableContact& contact, double slowest, double fastest, const RuleTableOptions& options) {
   const AxisRange speeds{slowest, fastest};
   require_options(speeds, options);
-  return made(
-      [&](double) { return contact; }, {speeds, {1.0, 1.0}, false, false}, options,
-      [&] {
-        return grid_of(restitution_function(
-            contact, slowest, fastest, {.error = options.error, .threads = options.threads, .poll = options.poll}));
-      });
+  return made([&](double) { return contact; }, {speeds, {1.0, 1.0}, false, false}, options,
+              [&] {
+                return restitution_function(contact, slowest, fastest,
+                                            {.error = options.error, .threads = options.threads, .poll = options.poll})
+                    .values();
+              });
 }
 
 RuleTable rule_table(const Mixture& mixture, double slowest, double fastest, double smallest, double largest,
@@ -100,8 +84,9 @@ RuleTable rule_table(const Mixture& mixture, double slowest, double fastest, dou
   require_options(speeds, options);
   const AxisRange ratios = held_ratios(mixture.alike, {smallest, largest});
   return made(mixture.contact, {speeds, ratios, true, mixture.alike}, options, [&] {
-    return grid_of(pair_table(mixture, slowest, fastest, smallest, largest,
-                              {.error = options.error, .threads = options.threads, .poll = options.poll}));
+    return pair_table(mixture, slowest, fastest, smallest, largest,
+                      {.error = options.error, .threads = options.threads, .poll = options.poll})
+        .values();
   });
 }
 

@@ -42,8 +42,9 @@ void AdaptiveRules::refine() {
   while (grid_.halve(enough)) compute();
 }
 
-RuleGrid AdaptiveRules::values(std::size_t quantity) const {
-  RuleGrid made{{}, grid_.axis(1).x(), {}, grid_.values(quantity), grid_.interpolation_errors(quantity)};
+TableValues AdaptiveRules::values(std::size_t quantity) const {
+  TableValues made{{},           grid_.axis(1).x(), {}, grid_.values(quantity), grid_.interpolation_errors(quantity),
+                   ranges_.alike};
   for (const double each : grid_.axis(0).x()) made.speeds.push_back(ranges_.speeds.speed(each));
   for (const double each : grid_.axis(2).x()) made.ratios.push_back(ratio(each));
   std::size_t i = 0;

@@ -40,7 +40,7 @@ class AdaptiveRules {
   void refine();
 
   /// A quantity with what the ways to slide differ by in its errors. @param quantity 0: q, 1: ε_n where directions mix
-  [[nodiscard]] RuleGrid values(std::size_t quantity) const;
+  [[nodiscard]] TableValues values(std::size_t quantity) const;
 
  private:
   using Place = AdaptiveGrid::Place;

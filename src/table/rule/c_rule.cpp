@@ -34,7 +34,7 @@ std::vector<std::string> comment(const RuleTable& rule, const TableLabel& label)
       values.friction ? "The friction must be @NAME@_FRICTION; with another one values are not numbers."
                       : "The friction may be any.",
       mixture ? "Ratios go from @NAME@_SMALLEST to @NAME@_GREATEST" +
-                    std::string(values.alike ? "; the inverse is the same pair." : ".")
+                    std::string(values.sliding.alike ? "; the inverse is the same pair." : ".")
               : "The ratio does not count.",
       "Speeds go from @NAME@_SLOWEST to @NAME@_FASTEST. Beyond, values are " +
           std::string(rule.beyond() == Beyond::clamp ? "those of the nearer end," : "not numbers,") +
@@ -49,13 +49,9 @@ std::vector<std::string> comment(const RuleTable& rule, const TableLabel& label)
 std::string c_header(const RuleTable& rule, const TableLabel& label) {
   table::require_c_name(label.name);
   const std::string name = label.name + "_rule";
-  const auto& [normal, along, alike, friction] = rule.values();
-  const auto grid = [&](const char* part, const RuleGrid& of, const std::vector<double>& nodes,
-                        const std::vector<double>& errors) {
-    return table::CGrid{name + part, of.speeds, of.slips, of.ratios, nodes, errors};
-  };
+  const auto& [normal, along, friction] = rule.values();
   const bool mixture = along.ratios.size() > 1;
-  const table::CRange range(along.ratios, alike);
+  const table::CRange range(along.ratios, along.alike);
   const std::vector<std::pair<std::string, std::string>> fillings{
       {"place", range.place},
       {"inside", range.inside},
@@ -66,8 +62,8 @@ std::string c_header(const RuleTable& rule, const TableLabel& label) {
       {"outside", rule.beyond() == Beyond::clamp ? range.nearest : "    return;\n"}};
   std::string body = table::c_limits(along.speeds, along.ratios, label.scale);
   if (friction) body += "#define @NAME@_FRICTION " + table::c_number(*friction) + "\n";
-  body += "\n" + table::c_look_up({grid("_restitution", normal, rule.restitution_nodes(), rule.restitution_errors()),
-                                   grid("_sliding", along, rule.sliding_nodes(), rule.sliding_errors())},
+  body += "\n" + table::c_look_up({{name + "_restitution", normal, rule.restitution_nodes(), rule.restitution_errors()},
+                                   {name + "_sliding", along, rule.sliding_nodes(), rule.sliding_errors()}},
                                   label.scale);
   body += std::string(table::c_rule_function) +
           table::c_numbers_of({"speed", "sliding", "friction", "ratio"},

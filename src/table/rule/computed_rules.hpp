@@ -18,7 +18,7 @@ namespace stoss {
 
 /// A slip for which a table needs the rule.
 struct RuleSlip {
-  double z = 0.0;        ///< as of RuleGrid, from −1 to below 1
+  double z = 0.0;        ///< as of TableValues, from −1 to below 1
   bool compare = false;  ///< whether the ways to slide are compared: by the velocity, or the spin of one body, alone
 };
 
@@ -32,7 +32,7 @@ struct RuleRequest {
 /// The rule at one slip, to which velocity and spins have equal shares.
 struct RulePoint {
   Estimate restitution;                 ///< ε_n
-  Estimate sliding;                     ///< q of RuleGrid
+  Estimate sliding;                     ///< q of RuleValues
   double restitution_difference = 0.0;  ///< most that a single way to slide changes in ε_n
   double sliding_difference = 0.0;      ///< the same in s′, over |s|
 };

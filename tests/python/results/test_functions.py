@@ -83,7 +83,7 @@ def test_a_curve_becomes_a_function():
 
 
 def test_only_whole_curves_become_functions():
-    with pytest.raises(stoss.InvalidInput, match="knots: got 1"):
+    with pytest.raises(stoss.InvalidInput, match="speeds: got 1"):
         stoss.restitution(BALL, speed=0.1).function()
     with pytest.raises(stoss.InvalidInput, match="rise"):
         stoss.restitution(BALL, speed=[0.1, 0.1, 0.2, 0.3, 0.4]).function()
