@@ -56,8 +56,8 @@ const predictions = createPredictions(core, {
   one(encounter, prediction) {
     runFilm();
     predictionView.show(encounter, prediction);
+    if (inputs.view === 'ball') worksheet.show(inputs, prediction);
     if (inputs.view === 'ball' && prediction.influences.length > 0) results.speak(spokenOf(prediction));
-    worksheet.show(inputs, prediction);
     markFirstValue();
   },
   curve: showCurves,

@@ -4,6 +4,8 @@ import { fileURLToPath } from 'node:url';
 import ts from 'typescript';
 import { describe, expect, it } from 'vitest';
 import words from '#words';
+import { presets } from '../../src/inputs/inputs';
+import { ask } from '../core/wasm';
 
 const folder = fileURLToPath(new URL('../../src/', import.meta.url));
 const index = readFileSync(new URL('../../index.html', import.meta.url), 'utf8');
@@ -48,6 +50,16 @@ describe('words', () => {
   it('are not in index.html', () => {
     const own = shownOf(index.replace(/\{\{[\w.]+\}\}/g, '')).filter((each) => /[A-Za-z]{2,}/.test(each));
     expect(own.map((each) => each.trim())).toEqual(['stoss']);
+  });
+  it('name each channel and constant of the core', () => {
+    const { encounter, speed } = presets.find(({ name }) => name === 'preset.pane')!;
+    const [answer] = ask('prediction', encounter, { speeds: [speed], tolerance: 1e-2, constants: true }).all;
+    const names = [
+      ...answer!.channels.flatMap(({ name }) => [`channel.${name}`, `where.${name}`]),
+      ...answer!.influences.map(({ constant }) => `constant.${constant.replace('against.', '')}`),
+    ];
+    expect(names.length).toBeGreaterThan(15);
+    expect(names.filter((name) => !(name in words))).toEqual([]);
   });
   it('are all used', () => {
     const code = sources.map(({ text }) => text).join('\n') + index;
