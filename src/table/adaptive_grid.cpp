@@ -1,9 +1,16 @@
 #include "table/adaptive_grid.hpp"
 
 #include <algorithm>
+#include <string>
+
+#include "check.hpp"
+#include "stoss/errors.hpp"
 
 namespace stoss {
 namespace {
+
+// One line may be met by chance where many are not.
+constexpr Doubt of_one_line{2.0, 5, true}, of_many_lines{1.0, 3, false};
 
 /// Calls for every index below three counts, the last running fastest.
 template <typename Call>
@@ -17,7 +24,48 @@ void for_each(const std::array<std::size_t, 3>& count, Call call) {
 
 }  // namespace
 
+std::string TableRange::named(double x, double p) const {
+  return "speed " + rounded(speeds.speed(x)) + " c" + (is_mixture ? " and the ratio " + rounded(ratio(p)) : "");
+}
+
+const RefinableContact& Contacts::at(double p) {
+  if (!made_.contains(p)) made_.emplace(p, made_of_(range_.ratio(p)));
+  return made_.at(p);
+}
+
+AdaptiveGrid::AdaptiveGrid(const TableRange& range, NestedAxis slips)
+    : range_(range),
+      axes_{axis_of_speeds(range.speeds), std::move(slips),
+            range.is_mixture ? axis_of_ratios(range.ratios, range.alike) : one_place()} {}
+
+std::size_t AdaptiveGrid::dimensions() const {
+  return static_cast<std::size_t>(
+      std::count_if(axes_.begin(), axes_.end(), [](const NestedAxis& axis) { return axis.size() > 1; }));
+}
+
 std::size_t AdaptiveGrid::size() const { return axes_[0].size() * axes_[1].size() * axes_[2].size(); }
+
+const Doubt& AdaptiveGrid::doubt() const { return dimensions() == 1 ? of_one_line : of_many_lines; }
+
+void AdaptiveGrid::refine(const char* name, const std::vector<double>& enough, int most,
+                          const std::function<void(const std::vector<Place>&)>& compute) {
+  do {
+    if (size() > static_cast<std::size_t>(most)) {
+      throw NotConverged(std::string(name) + ": more than " + std::to_string(most) +
+                         " values are needed (allow a greater error, smaller ranges, or more values)");
+    }
+    compute(open());
+  } while (halve(enough, Told::by_its_middle) || halve(enough, Told::by_all_around));
+}
+
+TableValues AdaptiveGrid::table(std::size_t quantity) const {
+  TableValues made{{}, axes_[1].x(), {}, {}, errors(quantity), range_.alike};
+  for (const double x : axes_[0].x()) made.speeds.push_back(range_.speeds.speed(x));
+  for (const double p : axes_[2].x()) made.ratios.push_back(range_.ratio(p));
+  for_each({axes_[0].size(), axes_[1].size(), axes_[2].size()},
+           [&](const Index& index) { made.values.push_back(values_.at(place(index))[quantity]); });
+  return made;
+}
 
 AdaptiveGrid::Place AdaptiveGrid::place(const Index& index) const {
   return {axes_[0].x()[index[0]], axes_[1].x()[index[1]], axes_[2].x()[index[2]]};
@@ -44,30 +92,27 @@ std::vector<double> AdaptiveGrid::line(std::size_t number, Index through, std::s
   return y;
 }
 
-bool AdaptiveGrid::halve(const std::vector<double>& enough) {
+bool AdaptiveGrid::halve(const std::vector<double>& enough, Told told) {
   for (std::size_t number = 0; number < axes_.size(); ++number) {
-    std::vector<double> worst(axes_[number].size() - 1);
+    const NestedAxis& axis = axes_[number];
+    std::vector<double> worst(axis.size() - 1);
     Index lines{axes_[0].size(), axes_[1].size(), axes_[2].size()};
     lines[number] = 1;
-    for (std::size_t quantity = 0; quantity < enough.size(); ++quantity) {
+    for (std::size_t quantity = 0; quantity < enough.size() && axis.size() > 1; ++quantity) {
       for_each(lines, [&](const Index& through) {
-        const std::vector<double> own = axes_[number].missed(line(number, through, quantity));
-        for (std::size_t k = 0; k < own.size(); ++k) worst[k] = std::max(worst[k], own[k] / enough[quantity]);
+        const std::vector<double> y = line(number, through, quantity);
+        const bool alone = told == Told::by_its_middle;
+        const std::vector<double> own = alone ? axis.missed(y) : axis.errors(y, doubt());
+        const double times = (alone ? doubt().safety : 1.0) / enough[quantity];
+        for (std::size_t k = 0; k < own.size(); ++k) worst[k] = std::max(worst[k], times * own[k]);
       });
     }
-    if (axes_[number].halve(worst, 1.0)) return true;
+    if (axes_[number].halve(worst)) return true;
   }
   return false;
 }
 
-std::vector<Estimate> AdaptiveGrid::values(std::size_t quantity) const {
-  std::vector<Estimate> all;
-  for_each({axes_[0].size(), axes_[1].size(), axes_[2].size()},
-           [&](const Index& index) { all.push_back(values_.at(place(index))[quantity]); });
-  return all;
-}
-
-std::vector<double> AdaptiveGrid::interpolation_errors(std::size_t quantity) const {
+std::vector<double> AdaptiveGrid::errors(std::size_t quantity) const {
   const Index cells{intervals(0), intervals(1), intervals(2)};
   std::vector<double> errors(cells[0] * cells[1] * cells[2]);
   for (std::size_t number = 0; number < axes_.size(); ++number) {
@@ -78,7 +123,7 @@ std::vector<double> AdaptiveGrid::interpolation_errors(std::size_t quantity) con
       for (std::size_t j = 0; j < axes_[b].size(); ++j) {
         Index through{};
         through[a] = i, through[b] = j;
-        missed[{i, j}] = NestedAxis::worst_of_three(axes_[number].missed(line(number, through, quantity)));
+        missed[{i, j}] = axes_[number].errors(line(number, through, quantity), doubt());
       }
     }
     std::size_t cell = 0;

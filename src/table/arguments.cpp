@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -17,6 +18,13 @@ void require_beyond(Beyond beyond) {
     throw InvalidInput::out_of_range("beyond", "law", "error or clamp",
                                      "there is no law of slow impacts of unequal bodies");
   }
+}
+
+void require_options(double error, int most_values, int threads, Beyond beyond) {
+  require("error", error, {1e-6, 0.1, true, true, "1e-6 to 0.1"}, "maximum error of the restitution");
+  require("most_values", static_cast<std::int64_t>(most_values), 100, 10'000'000, "that are computed");
+  require("threads", static_cast<std::int64_t>(threads), 0, 1024, "0 for as many as the machine has");
+  require_beyond(beyond);
 }
 
 }  // namespace stoss

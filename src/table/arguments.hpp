@@ -9,6 +9,9 @@ namespace stoss {
 /// Throws InvalidInput for what a PairTable or a RuleTable does not do beyond its range.
 void require_beyond(Beyond beyond);
 
+/// Throws InvalidInput for options of a PairTable or a RuleTable out of range.
+void require_options(double error, int most_values, int threads, Beyond beyond);
+
 }  // namespace stoss
 
 namespace stoss::table {

@@ -1,7 +1,6 @@
 #include "table/axes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -41,23 +40,40 @@ std::vector<double> NestedAxis::missed(const std::vector<double>& y) const {
   return own;
 }
 
-bool NestedAxis::halve(const std::vector<double>& missed, double enough) {
+std::vector<double> NestedAxis::cost_of_monotony(const std::vector<double>& y) const {
+  constexpr double greatest = 4.0 / 27.0;  // of t(1 − t)²
+  const std::vector<double> own = numeric::slopes(slopes_, x_, y), free = numeric::parabolic_slopes(x_, y, false);
+  const auto apart = [&](std::size_t k) { return std::abs(own[k] - free[k]); };
+  std::vector<double> cost;
+  for (std::size_t k = 0; k + 1 < x_.size(); ++k) {
+    cost.push_back(greatest * (x_[k + 1] - x_[k]) * (apart(k) + apart(k + 1)));
+  }
+  return cost;
+}
+
+std::vector<double> NestedAxis::errors(const std::vector<double>& y, const Doubt& doubt) const {
+  const std::vector<double> own = missed(y);
+  std::vector<double> errors = doubt.uneven ? cost_of_monotony(y) : std::vector<double>(own.size());
+  // Both halves of an interval have the same middle; at an end two of three are such halves.
+  const std::size_t together = std::min(doubt.together, own.size()), side = together / 2;
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    const std::size_t first = std::min(std::max(k, side) - side, own.size() - together);
+    for (std::size_t i = first; i < first + together; ++i) {
+      const double ratio = doubt.uneven ? std::max(1.0, (x_[k + 1] - x_[k]) / (x_[i + 1] - x_[i])) : 1.0;
+      errors[k] = std::max(errors[k], ratio * ratio * doubt.safety * own[i]);
+    }
+  }
+  return errors;
+}
+
+bool NestedAxis::halve(const std::vector<double>& missed) {
   std::vector<double> middles;
   for (std::size_t k = 0; k < missed.size(); ++k) {
-    if (missed[k] > enough) middles.push_back(0.5 * (x_[k] + x_[k + 1]));
+    if (missed[k] > 1.0) middles.push_back(0.5 * (x_[k] + x_[k + 1]));
   }
   const int turn = last_ + 1;
   for (const double middle : middles) add(middle, turn);
   return !middles.empty();
-}
-
-std::vector<double> NestedAxis::worst_of_three(const std::vector<double>& missed) {
-  std::vector<double> worst;
-  for (std::size_t k = 0; k < missed.size(); ++k) {
-    const std::size_t left = k > 0 ? k - 1 : k, right = std::min(k + 1, missed.size() - 1);
-    worst.push_back(std::max({missed[left], missed[k], missed[right]}));
-  }
-  return worst;
 }
 
 namespace {

@@ -66,8 +66,13 @@ RestitutionFunction::RestitutionFunction(TableValues values, Beyond beyond, Slow
                                      std::to_string(fewest) + " or more");
   }
   if (values.slips.size() > 1 || values.ratios.size() > 1) {
-    throw InvalidInput::conflict("speeds", "a function depends on nothing else", "make a PairTable or a RuleTable");
+    throw InvalidInput::conflict(values.slips.size() > 1 ? "slips" : "ratios", "several, on which no function depends",
+                                 "make a PairTable or a RuleTable");
   }
+  const bool estimates = values.interpolation_error.empty();
+  if (estimates) values.interpolation_error.resize(values.speeds.size() - 1);
+  require_values("restitution", values);
+  if (estimates) values.interpolation_error = estimated(values);
   if (beyond == Beyond::law && !law) {
     throw InvalidInput::out_of_range("beyond", "law", "error or clamp",
                                      "there is no law of slow impacts of these bodies");
@@ -76,9 +81,6 @@ RestitutionFunction::RestitutionFunction(TableValues values, Beyond beyond, Slow
     throw InvalidInput::out_of_range("beyond", "law",
                                      "error or clamp from speed " + shown(values.speeds.front()) + " on",
                                      "the law of slow impacts says nothing there: begin at a lower speed");
-  }
-  if (values.interpolation_error.empty() && values.values.size() == values.speeds.size()) {
-    values.interpolation_error = estimated(values);
   }
   data_ = std::make_shared<const Data>(Table("restitution", std::move(values)), beyond, std::move(law));
 }

@@ -37,35 +37,6 @@ void require_count(const char* name, std::size_t got, std::size_t allowed) {
 
 std::size_t intervals(const std::vector<double>& places) { return std::max<std::size_t>(places.size(), 2) - 1; }
 
-void require_values(const char* name, const TableValues& table) {
-  require_rising("speeds", table.speeds, 2);
-  require_rising("ratios", table.ratios, 1);
-  if (table.alike && table.ratios.front() < 1.0) {
-    throw InvalidInput::out_of_range("ratios", shown(table.ratios.front()), "1 or more for bodies that are alike",
-                                     "their inverses are the same pairs");
-  }
-  const std::vector<double>& slips = table.slips;
-  const bool rises = std::adjacent_find(slips.begin(), slips.end(), std::greater_equal<>()) == slips.end();
-  const bool whole = slips.size() > 2 && slips.front() == -1.0 && slips.back() == 1.0 && rises;
-  if (slips.size() != 1 && !whole) {
-    throw InvalidInput::out_of_range("slips", std::to_string(slips.size()),
-                                     "one, or three and more that rise from -1 to 1");
-  }
-  require_count(name, table.values.size(), table.speeds.size() * slips.size() * table.ratios.size());
-  require_count("interpolation_error", table.interpolation_error.size(),
-                intervals(table.speeds) * intervals(slips) * intervals(table.ratios));
-  const auto bad = [](double error) { return !(error >= 0.0) || !std::isfinite(error); };
-  for (const Estimate& each : table.values) {
-    if (!std::isfinite(each.value) || bad(each.error)) {
-      throw InvalidInput::out_of_range(std::string(name), shown(each.value) + " with the error " + shown(each.error),
-                                       "values with known errors", "leave out what has not converged");
-    }
-  }
-  if (std::any_of(table.interpolation_error.begin(), table.interpolation_error.end(), bad)) {
-    throw InvalidInput::conflict("interpolation_error", "negative or not finite, allowed 0 or more");
-  }
-}
-
 numeric::CubicGrid cubic_of(const TableValues& table) {
   using numeric::Slopes;
   numeric::CubicGrid::Places places{{{}, table.slips, {}}};
@@ -101,15 +72,39 @@ std::vector<double> errors_of(const TableValues& table) {
   return errors;
 }
 
-TableValues required(const char* name, TableValues values) {
-  require_values(name, values);
-  return values;
-}
-
 }  // namespace
 
+void require_values(const char* name, const TableValues& table) {
+  require_rising("speeds", table.speeds, 2);
+  require_rising("ratios", table.ratios, 1);
+  if (table.alike && table.ratios.front() < 1.0) {
+    throw InvalidInput::out_of_range("ratios", shown(table.ratios.front()), "1 or more for bodies that are alike",
+                                     "their inverses are the same pairs");
+  }
+  const std::vector<double>& slips = table.slips;
+  const bool rises = std::adjacent_find(slips.begin(), slips.end(), std::greater_equal<>()) == slips.end();
+  const bool whole = slips.size() > 2 && slips.front() == -1.0 && slips.back() == 1.0 && rises;
+  if (slips.size() != 1 && !whole) {
+    throw InvalidInput::out_of_range("slips", std::to_string(slips.size()),
+                                     "one, or three and more that rise from -1 to 1");
+  }
+  require_count(name, table.values.size(), table.speeds.size() * slips.size() * table.ratios.size());
+  require_count("interpolation_error", table.interpolation_error.size(),
+                intervals(table.speeds) * intervals(slips) * intervals(table.ratios));
+  const auto bad = [](double error) { return !(error >= 0.0) || !std::isfinite(error); };
+  for (const Estimate& each : table.values) {
+    if (!std::isfinite(each.value) || bad(each.error)) {
+      throw InvalidInput::out_of_range(std::string(name), shown(each.value) + " with the error " + shown(each.error),
+                                       "values with known errors", "leave out what has not converged");
+    }
+  }
+  if (std::any_of(table.interpolation_error.begin(), table.interpolation_error.end(), bad)) {
+    throw InvalidInput::conflict("interpolation_error", "negative or not finite, allowed 0 or more");
+  }
+}
+
 Table::Table(const char* name, TableValues values)
-    : values_(required(name, std::move(values))),
+    : values_((require_values(name, values), std::move(values))),
       cubic_(cubic_of(values_)),
       errors_(errors_of(values_)),
       slowest_(values_.speeds.front()),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -10,6 +11,9 @@
 
 namespace stoss {
 
+/// @param name of the quantity, for refusals. @throws InvalidInput for values of no table
+void require_values(const char* name, const TableValues& values);
+
 /// A quantity between computed values, with its error: a CubicGrid in x = ln v with monotone slopes, in z and in
 /// p = (r − 1)/(r + 1) with those of parabolas. p is tanh(½ ln r): it changes its sign with the inverse of r and needs
 /// no logarithm.
@@ -18,7 +22,7 @@ namespace stoss {
 /// most between them, and of the interpolation's.
 class Table {
  public:
-  /// @param name of the quantity, for refusals. @throws InvalidInput for values of no table
+  /// @throws InvalidInput as require_values
   Table(const char* name, TableValues values);
 
   [[nodiscard]] const TableValues& values() const { return values_; }

@@ -145,7 +145,7 @@ TEST(AdaptiveFunction, SaysWhatItCannotDo) {
   test::expect_refusal(make(0.01, 0.1, {.threads = -1}), {"threads"});
   test::expect_refusal(make(0.01, 0.1, {.beyond = Beyond::law}), {"beyond"});
   const std::string more = test::message_of<NotConverged>(make(1e-6, 0.5, {.most_speeds = 50, .threads = 2}));
-  EXPECT_NE(more.find("more than 50 speeds"), std::string::npos) << more;
+  EXPECT_NE(more.find("more than 50 values"), std::string::npos) << more;
   const std::string finer = test::message_of<NotConverged>(make(0.2, 0.5, {.error = 1e-7, .threads = 2}));
   EXPECT_NE(finer.find("at speed"), std::string::npos) << finer;
 }

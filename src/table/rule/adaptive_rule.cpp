@@ -15,13 +15,10 @@
 namespace stoss {
 namespace {
 
-void require_options(const AxisRange& speeds, const RuleTableOptions& options) {
+void require_rule_options(const AxisRange& speeds, const RuleTableOptions& options) {
   require_speeds(speeds);
-  require("error", options.error, {1e-6, 0.1, true, true, "1e-6 to 0.1"}, "maximum error of the restitution");
+  require_options(options.error, options.most_values, options.threads, options.beyond);
   require("tolerance", options.tolerance, ranges::rule_tolerance, "maximum error of the sliding after the collision");
-  require("most_values", static_cast<long>(options.most_values), 100, 10'000'000, "that are computed");
-  require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
-  require_beyond(options.beyond);
 }
 
 void require_friction(bool mixing, const AxisRange& speeds, const RuleTableOptions& options) {
@@ -45,13 +42,13 @@ void require_friction(bool mixing, const AxisRange& speeds, const RuleTableOptio
 
 /// @param normal ε_n of a speed, and of a ratio, alone
 template <typename Normal>
-RuleTable made(const std::function<RefinableContact(double)>& contact, const RuleRanges& ranges,
+RuleTable made(const std::function<RefinableContact(double)>& contact, const TableRange& range,
                const RuleTableOptions& options, Normal normal) {
-  require_friction(mixes(contact(ranges.ratios.high), options.poll), ranges.speeds, options);
+  require_friction(mixes(contact(range.ratios.high), options.poll), range.speeds, options);
   // Where bodies may stay, their restitution may refuse the error at once; else wide contacts refuse their speeds.
-  const bool may_stay = contact(ranges.ratios.high).at(0, options.poll).gives_way;
+  const bool may_stay = contact(range.ratios.high).at(0, options.poll).gives_way;
   TableValues of_normal = !options.friction && may_stay ? normal() : TableValues{};
-  AdaptiveRules rules(contact, ranges, options);
+  AdaptiveRules rules(contact, range, options);
   if (!options.friction && !may_stay) of_normal = normal();
   rules.refine();
   RuleValues values{options.friction ? rules.values(1) : std::move(of_normal), rules.values(0), options.friction};
@@ -69,8 +66,8 @@ RuleTable made(const std::function<RefinableContact(double)>& contact, const Rul
 
 RuleTable rule_table(const RefinableContact& contact, double slowest, double fastest, const RuleTableOptions& options) {
   const AxisRange speeds{slowest, fastest};
-  require_options(speeds, options);
-  return made([&](double) { return contact; }, {speeds, {1.0, 1.0}, false, false}, options,
+  require_rule_options(speeds, options);
+  return made([&](double) { return contact; }, {speeds}, options,
               [&] {
                 return restitution_function(contact, slowest, fastest,
                                             {.error = options.error, .threads = options.threads, .poll = options.poll})
@@ -81,7 +78,7 @@ RuleTable rule_table(const RefinableContact& contact, double slowest, double fas
 RuleTable rule_table(const Mixture& mixture, double slowest, double fastest, double smallest, double largest,
                      const RuleTableOptions& options) {
   const AxisRange speeds{slowest, fastest};
-  require_options(speeds, options);
+  require_rule_options(speeds, options);
   const AxisRange ratios = held_ratios(mixture.alike, {smallest, largest});
   return made(mixture.contact, {speeds, ratios, true, mixture.alike}, options, [&] {
     return pair_table(mixture, slowest, fastest, smallest, largest,

@@ -8,6 +8,7 @@
 
 #include "check.hpp"
 #include "stoss/errors.hpp"
+#include "table/arguments.hpp"
 
 namespace stoss {
 namespace {
@@ -25,47 +26,34 @@ NestedAxis axis_of_slips() {
 
 }  // namespace
 
-AdaptiveRules::AdaptiveRules(std::function<RefinableContact(double)> contact, const RuleRanges& ranges,
+AdaptiveRules::AdaptiveRules(std::function<RefinableContact(double)> contact, const TableRange& range,
                              const RuleTableOptions& options)
-    : grid_({axis_of_speeds(ranges.speeds), axis_of_slips(),
-             ranges.is_mixture ? axis_of_ratios(ranges.ratios, ranges.alike) : one_place()}),
-      contact_(std::move(contact)),
-      ranges_(ranges),
-      options_(options) {
+    : grid_(range, axis_of_slips()), range_(range), contacts_(std::move(contact), range), options_(options) {
   set_budget();
 }
 
 void AdaptiveRules::refine() {
-  compute();
   const std::vector<double> enough =
       options_.friction ? std::vector{sliding_.grid, restitution_.grid} : std::vector{sliding_.grid};
-  while (grid_.halve(enough)) compute();
+  grid_.refine("rule_table", enough, options_.most_values, [this](const std::vector<Place>& open) { compute(open); });
 }
 
 TableValues AdaptiveRules::values(std::size_t quantity) const {
-  TableValues made{{},           grid_.axis(1).x(), {}, grid_.values(quantity), grid_.interpolation_errors(quantity),
-                   ranges_.alike};
-  for (const double each : grid_.axis(0).x()) made.speeds.push_back(ranges_.speeds.speed(each));
-  for (const double each : grid_.axis(2).x()) made.ratios.push_back(ratio(each));
+  TableValues made = grid_.table(quantity);
   std::size_t i = 0;
-  for (const double v : grid_.axis(0).x()) {
+  for (const double x : grid_.axis(0).x()) {
     for (const double z : grid_.axis(1).x()) {
-      for (const double s : grid_.axis(2).x()) {
+      for (const double p : grid_.axis(2).x()) {
         const bool known = quantity == 0 && std::abs(z) == 1.0;
-        made.values[i++].error += known ? 0.0 : difference(v, s, quantity);
+        made.values[i++].error += known ? 0.0 : difference(x, p, quantity);
       }
     }
   }
   return made;
 }
 
-std::string AdaptiveRules::named(double speed, double s) const {
-  return "speed " + rounded(speed) + " c" + (ranges_.is_mixture ? " and the ratio " + rounded(ratio(s)) : "");
-}
-
-const RefinableContact& AdaptiveRules::contact(double s) {
-  if (!contacts_.contains(s)) contacts_.emplace(s, contact_(ratio(s)));
-  return contacts_.at(s);
+double AdaptiveRules::weight() const {
+  return table::weight_between_places * (range_.is_mixture ? table::weight_between_places : 1.0);
 }
 
 double AdaptiveRules::difference(double v, double s, std::size_t quantity) const {
@@ -78,23 +66,22 @@ std::vector<std::vector<RulePoint>> AdaptiveRules::points(const std::vector<Plac
                                                           const std::vector<std::vector<RuleSlip>>& slips) {
   std::vector<RuleRequest> requests;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    requests.push_back({&contact(lines[i][2]), ranges_.speeds.speed(lines[i][0]), slips[i]});
+    requests.push_back({&contacts_.at(lines[i][2]), range_.speeds.speed(lines[i][0]), slips[i]});
   }
-  const auto place = [&](std::size_t i) { return named(requests[i].speed, lines[i][2]); };
+  const auto place = [&](std::size_t i) { return range_.named(lines[i][0], lines[i][2]); };
   return computed_rules(requests, {options_.friction, sliding_.values, options_.tolerance, restitution_.values},
                         options_.threads, options_.poll, place);
 }
 
 AdaptiveRules::Budget AdaptiveRules::without(double error, double difference) const {
-  const double left = error - margin_of_ways * ranges_.weight() * difference;
-  return {share_of_rules / ranges_.weight() * left,
-          (1.0 - share_of_rules) * left / static_cast<double>(ranges_.axes())};
+  const double left = error - margin_of_ways * weight() * difference;
+  return {share_of_rules / weight() * left, (1.0 - share_of_rules) * left / static_cast<double>(grid_.dimensions())};
 }
 
 void AdaptiveRules::require_left(const char* option, double error, double difference) const {
-  const double taken = margin_of_ways * ranges_.weight() * difference;
+  const double taken = margin_of_ways * weight() * difference;
   if (error - taken >= least_left * error) return;
-  throw NotConverged("rule_table: at speed " + shown(ranges_.speeds.high) +
+  throw NotConverged("rule_table: at speed " + shown(range_.speeds.high) +
                      " c velocity and spin differ too much in their effect (allow a larger " + option + ", from " +
                      shown(std::ceil(1e4 * taken / (1.0 - least_left)) / 1e4) + ", or slower speeds)");
 }
@@ -106,7 +93,7 @@ void AdaptiveRules::set_budget() {
   const std::vector<RuleSlip> slips{{-probe, true}, {0.0, true}, {probe, true}};
   double along = 0.0, normal = 0.0;
   std::vector<Place> ends{{v.back(), 0.0, s.front()}};
-  if (ranges_.is_mixture) ends.push_back({v.back(), 0.0, s.back()});
+  if (range_.is_mixture) ends.push_back({v.back(), 0.0, s.back()});
   for (const auto& end : points(ends, std::vector(ends.size(), slips))) {
     for (const RulePoint& each : end) {
       along = std::max(along, each.sliding_difference);
@@ -118,12 +105,7 @@ void AdaptiveRules::set_budget() {
   sliding_ = without(options_.tolerance, along), restitution_ = without(options_.error, normal);
 }
 
-void AdaptiveRules::compute() {
-  if (grid_.size() > static_cast<std::size_t>(options_.most_values)) {
-    throw NotConverged("rule_table: more than " + std::to_string(options_.most_values) +
-                       " values are needed (allow greater errors, smaller ranges, or more values)");
-  }
-  const std::vector<Place> open = grid_.open();
+void AdaptiveRules::compute(const std::vector<Place>& open) {
   std::vector<Place> lines;
   std::vector<std::vector<RuleSlip>> slips;
   for (const Place& place : open) {

@@ -62,9 +62,10 @@ std::string c_header(const RuleTable& rule, const TableLabel& label) {
       {"outside", rule.beyond() == Beyond::clamp ? range.nearest : "    return;\n"}};
   std::string body = table::c_limits(along.speeds, along.ratios, label.scale);
   if (friction) body += "#define @NAME@_FRICTION " + table::c_number(*friction) + "\n";
-  body += "\n" + table::c_look_up({{name + "_restitution", normal, rule.restitution_nodes(), rule.restitution_errors()},
-                                   {name + "_sliding", along, rule.sliding_nodes(), rule.sliding_errors()}},
-                                  label.scale);
+  body += "\n";
+  body += table::c_look_up({{name + "_restitution", normal, rule.restitution_nodes(), rule.restitution_errors()},
+                            {name + "_sliding", along, rule.sliding_nodes(), rule.sliding_errors()}},
+                           label.scale);
   body += std::string(table::c_rule_function) +
           table::c_numbers_of({"speed", "sliding", "friction", "ratio"},
                               {"restitution", "restitution_error", "sliding", "sliding_error"}) +
