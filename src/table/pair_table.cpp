@@ -24,7 +24,7 @@ struct PairTable::Data {
 
 PairTable::PairTable(TableValues values, Beyond beyond) {
   require_beyond(beyond);
-  data_ = std::make_shared<const Data>(Table("restitution", std::move(values)), beyond);
+  data_ = std::make_shared<const Data>(Data{Table("restitution", std::move(values)), beyond});
   const auto& [speeds, slips, ratios, given, interpolation, alike] = data_->table.values();
   if (ratios.size() < 3) throw InvalidInput::out_of_range("ratios", std::to_string(ratios.size()), "3 or more");
   if (slips.size() > 1) throw InvalidInput::conflict("slips", "several, which only a rule has");

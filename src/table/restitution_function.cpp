@@ -82,7 +82,7 @@ RestitutionFunction::RestitutionFunction(TableValues values, Beyond beyond, Slow
                                      "error or clamp from speed " + shown(values.speeds.front()) + " on",
                                      "the law of slow impacts says nothing there: begin at a lower speed");
   }
-  data_ = std::make_shared<const Data>(Table("restitution", std::move(values)), beyond, std::move(law));
+  data_ = std::make_shared<const Data>(Data{Table("restitution", std::move(values)), beyond, std::move(law)});
 }
 
 Estimate RestitutionFunction::operator()(double speed) const {

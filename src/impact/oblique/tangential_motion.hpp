@@ -48,9 +48,10 @@ class TangentialMotion {
   /// Puts the points along y where they are.
   template <typename Values>
   void place(Values& points) const {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(points.size()); ++i) {
-      const auto k = static_cast<Eigen::Index>(i);
-      points[i] = shift_ + angle_[0] * arm_[0](k) + angle_[1] * arm_[1](k);
+    Eigen::Index k = 0;
+    for (double& point : points) {
+      point = shift_ + angle_[0] * arm_[0](k) + angle_[1] * arm_[1](k);
+      ++k;
     }
   }
 
