@@ -26,7 +26,7 @@ set_source_files_properties(support/csv.cpp PROPERTIES
 
 # A program of some tests of the library.
 function(stoss_library_tests target)
-  set(sources ${ARGN} support/csv.cpp)
+  set(sources ${ARGN} support/csv.cpp support/complementarity.cpp)
   foreach(test IN LISTS ARGN)
     string(REGEX REPLACE "/.*" "" room ${test})
     list(APPEND sources ${besides_${room}})

@@ -5,7 +5,6 @@
 #include <map>
 #include <string>
 
-#include "contact/edge/complementarity.hpp"
 #include "contact/response.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/field.hpp"
@@ -16,6 +15,7 @@
 #include "stoss/quasistatic.hpp"
 #include "stoss/restitution/restitution.hpp"
 #include "support/body_tools.hpp"
+#include "support/complementarity.hpp"
 
 namespace stoss {
 using namespace bodies::disk;

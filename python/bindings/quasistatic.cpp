@@ -9,42 +9,41 @@ namespace stoss::python {
 
 using namespace quasistatic;
 
-template <>
-CompressionLaw to_law(const std::string& name) {
+namespace {
+
+/// The static law of a name, of disks or of spheres. @throws std::invalid_argument for another name
+StaticLaw law_of(bool sphere, const std::string& name) {
+  if (sphere && name == "center") return PointLaw::center;
+  if (sphere && name == "hertz") return PointLaw::hertz;
+  if (sphere) throw std::invalid_argument("law: center or hertz");
   if (name == "center") return CompressionLaw::center;
   if (name == "diameter") return CompressionLaw::diameter;
   throw std::invalid_argument("law: center or diameter");
 }
 
-template <>
-PointLaw to_law(const std::string& name) {
-  if (name == "center") return PointLaw::center;
-  if (name == "hertz") return PointLaw::hertz;
-  throw std::invalid_argument("law: center or hertz");
+/// A function of law, Poisson's ratio and another number, over arrays of both.
+auto over_law(bool sphere, double (*function)(StaticLaw, double, double)) {
+  return [=](const std::string& law, const Doubles& poisson, const Doubles& argument) {
+    return over([=, chosen = law_of(sphere, law)](double nu, double x) { return function(chosen, nu, x); }, poisson,
+                argument);
+  };
 }
 
-namespace {
-
-/// The functions of a law of compression.
-template <typename Law>
-void bind_law(py::module_& module, const std::string& prefix) {
-  const auto name = [&](const char* own) { return prefix + own; };
-  def(module, name("limit_force").c_str(), {"law", "poisson"}, over_law<Law>(&limit_force));
-  def(module, name("limit_speed").c_str(), {"law", "poisson"}, over_law<Law>(&limit_speed));
-  def(module, name("compression").c_str(), {"law", "poisson", "force"}, over_law<Law>(&compression));
-  def(module, name("compression_force").c_str(), {"law", "poisson", "compression"}, over_law<Law>(&compression_force));
-  def(module, name("compression_energy").c_str(), {"law", "poisson", "force"}, over_law<Law>(&compression_energy));
+/// The same of law and Poisson's ratio alone.
+auto over_law(bool sphere, double (*function)(StaticLaw, double)) {
+  return [=](const std::string& law, const Doubles& poisson) {
+    return over([=, chosen = law_of(sphere, law)](double nu) { return function(chosen, nu); }, poisson);
+  };
 }
 
 /// Slow impacts of several Poisson's ratios and speeds.
-template <typename Law, typename Result>
-auto slow_impacts(const Quantities<Result>& quantities) {
-  return [&quantities](const std::string& law, const Doubles& poisson, const Doubles& speeds) {
-    const Law chosen = to_law<Law>(law);
+auto slow_impacts(bool sphere, const Quantities<SlowImpact>& quantities) {
+  return [sphere, &quantities](const std::string& law, const Doubles& poisson, const Doubles& speeds) {
+    const StaticLaw chosen = law_of(sphere, law);
     if (poisson.size() != speeds.size()) throw std::invalid_argument("arrays: all of one size");
     const std::vector<double> nu = to_vector(poisson), at = to_vector(speeds);
     auto made = computed([&](const Poll& poll) {
-      Rows<Result> rows(quantities);
+      Rows<SlowImpact> rows(quantities);
       for (std::size_t i = 0; i < at.size(); ++i) {
         if (poll) poll();
         rows.add(slow_impact(chosen, nu[i], at[i]));
@@ -56,18 +55,18 @@ auto slow_impacts(const Quantities<Result>& quantities) {
 }
 
 /// Estimates for several speeds, and, if there is only one, its modes.
-template <typename Law, typename Mode, typename Result>
-auto estimates(const Quantities<Result>& quantities, std::vector<Mode> (*modes)(double, double, const Poll&)) {
-  return [&quantities, modes](const std::string& law, double poisson, const Doubles& speeds, double cutoff) {
-    const Law chosen = to_law<Law>(law);
+auto estimates(bool sphere, const Quantities<RayleighEstimate>& quantities) {
+  return [sphere, &quantities](const std::string& law, double poisson, const Doubles& speeds, double cutoff) {
+    const StaticLaw chosen = law_of(sphere, law);
     const std::vector<double> at = to_vector(speeds);
     std::vector<DrivenMode> driven;
     auto made = computed([&](const Poll& poll) {
-      Rows<Result> rows(quantities);
-      const std::vector<Mode> all = modes(poisson, cutoff, poll);
+      Rows<RayleighEstimate> rows(quantities);
+      const std::vector<bodies::Mode> all =
+          sphere ? bodies::sphere::modes(poisson, cutoff, poll) : bodies::disk::modes(poisson, cutoff, poll);
       for (const double speed : at) {
         if (poll) poll();
-        Result estimate = rayleigh(chosen, poisson, speed, all, poll);
+        RayleighEstimate estimate = rayleigh(chosen, poisson, speed, all, poll);
         rows.add(estimate);
         if (at.size() == 1) driven = std::move(estimate.modes);
       }
@@ -75,6 +74,20 @@ auto estimates(const Quantities<Result>& quantities, std::vector<Mode> (*modes)(
     });
     return py::make_tuple(made.take(), take(std::move(driven)));
   };
+}
+
+/// What a disk or a sphere has: the functions of its laws, its slow impacts and their estimates.
+void bind_laws(py::module_& module, bool sphere, const Quantities<SlowImpact>& of_impacts,
+               const Quantities<RayleighEstimate>& of_estimates) {
+  const auto name = [sphere](const std::string& own) { return sphere ? "point_" + own : own; };
+  def(module, name("limit_force").c_str(), {"law", "poisson"}, over_law(sphere, &limit_force));
+  def(module, name("limit_speed").c_str(), {"law", "poisson"}, over_law(sphere, &limit_speed));
+  def(module, name("compression").c_str(), {"law", "poisson", "force"}, over_law(sphere, &compression));
+  def(module, name("compression_force").c_str(), {"law", "poisson", "compression"},
+      over_law(sphere, &compression_force));
+  def(module, name("compression_energy").c_str(), {"law", "poisson", "force"}, over_law(sphere, &compression_energy));
+  def(module, name("slow_impact").c_str(), {"law", "poisson", "speeds"}, slow_impacts(sphere, of_impacts));
+  def(module, name("rayleigh").c_str(), {"law", "poisson", "speeds", "cutoff"}, estimates(sphere, of_estimates));
 }
 
 /// Of a disk, or of a sphere.
@@ -133,17 +146,12 @@ void bind_quasistatic(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(MawImpact, psi2, psi2_error, impulse, impulse_error, friction_loss, sliding, sticking, slipping,
                        reversed);
   module.attr("rayleigh_row") = Rows<RayleighEstimate>(rayleigh_quantities()).type();
-  module.attr("point_rayleigh_row") = Rows<PointRayleighEstimate>(point_rayleigh_quantities()).type();
-  bind_law<CompressionLaw>(module, "");
-  bind_law<PointLaw>(module, "point_");
-  def(module, "contact_radius", {"law", "poisson", "force"}, over_law<PointLaw>(&contact_radius));
-  def(module, "slow_impact", {"law", "poisson", "speeds"}, slow_impacts<CompressionLaw>(slow_impact_quantities()));
-  def(module, "point_slow_impact", {"law", "poisson", "speeds"},
-      slow_impacts<PointLaw>(point_slow_impact_quantities()));
-  def(module, "rayleigh", {"law", "poisson", "speeds", "cutoff"},
-      estimates<CompressionLaw>(rayleigh_quantities(), &bodies::disk::modes));
-  def(module, "point_rayleigh", {"law", "poisson", "speeds", "cutoff"},
-      estimates<PointLaw>(point_rayleigh_quantities(), &bodies::sphere::modes));
+  module.attr("point_rayleigh_row") = Rows<RayleighEstimate>(point_rayleigh_quantities()).type();
+  bind_laws(module, false, slow_impact_quantities(), rayleigh_quantities());
+  bind_laws(module, true, point_slow_impact_quantities(), point_rayleigh_quantities());
+  def(module, "contact_radius", {"poisson", "force"}, [](const Doubles& poisson, const Doubles& forces) {
+    return over([](double nu, double f) { return contact_radius(PointLaw::hertz, nu, f); }, poisson, forces);
+  });
   def(module, "static_contact", {"poisson", "compression", "nodes"}, &static_contact_numbers<double>);
   def(module, "point_static_contact", {"poisson", "compression", "nodes"},
       [](double nu, double compression, int nodes) {

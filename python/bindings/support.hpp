@@ -203,25 +203,4 @@ inline Beyond to_beyond(const std::string& name) {
   return name == "law" ? Beyond::law : name == "clamp" ? Beyond::clamp : Beyond::error;
 }
 
-/// The law of compression of a name, of lines or of points. @throws std::invalid_argument for another name
-template <typename Law>
-Law to_law(const std::string& name);
-
-/// A function of law, Poisson's ratio and another number, over arrays of both.
-template <typename Law>
-auto over_law(double (*function)(Law, double, double)) {
-  return [function](const std::string& law, const Doubles& poisson, const Doubles& argument) {
-    return over([&, chosen = to_law<Law>(law)](double nu, double x) { return function(chosen, nu, x); }, poisson,
-                argument);
-  };
-}
-
-/// The same of law and Poisson's ratio alone.
-template <typename Law>
-auto over_law(double (*function)(Law, double)) {
-  return [function](const std::string& law, const Doubles& poisson) {
-    return over([&, chosen = to_law<Law>(law)](double nu) { return function(chosen, nu); }, poisson);
-  };
-}
-
 }  // namespace stoss::python

@@ -12,7 +12,8 @@
 #include "bodies/half_space/lamb_kernel.hpp"
 #include "bodies/sphere/mode_search.hpp"
 #include "check.hpp"
-#include "quasistatic/point_pulse.hpp"
+#include "quasistatic/pulse.hpp"
+#include "stoss/quasistatic/slow_impact.hpp"
 
 namespace stoss::quasistatic {
 namespace {
@@ -66,7 +67,7 @@ HalfSpaceRadiation half_space_radiation(PointLaw law, const BallOnHalfSpace& bod
 
   // λ/(1 − ½λ) = w(v√(1 − ½λ)) grows and falls: one root, and w(v) bounds it.
   const double factor = 2.0 * mass * radiation_resistance(bodies);
-  const auto share = [&](double at) { return factor * PointPulse(radius_law, at).squared_force_rate() / (at * at); };
+  const auto share = [&](double at) { return factor * PointPulse(radius_law, at).squared_force_rate(); };
   const double first_order = share(speed);
   const auto excess = [&](double lambda) {
     return lambda - (1.0 - 0.5 * lambda) * share(speed * std::sqrt(1.0 - 0.5 * lambda));
@@ -82,7 +83,8 @@ HalfSpaceRadiation half_space_radiation(PointLaw law, const BallOnHalfSpace& bod
   }
 
   const PointPulse pulse(radius_law, speed * std::sqrt(1.0 - 0.5 * lost));
-  const double a = pulse.greatest_radius(), slowness = speed / (a * shear_speed(bodies));
+  const Pulse::Contact turn = pulse.at_phase(0.5 * pi);
+  const double a = turn.radius, slowness = speed / (a * shear_speed(bodies));
   const double left_out = a * a + lost * lost + slowness * slowness;
   return {.law = law,
           .bodies = bodies,
@@ -91,8 +93,8 @@ HalfSpaceRadiation half_space_radiation(PointLaw law, const BallOnHalfSpace& bod
           .lost_fraction_error = lost * left_out,
           .first_order = first_order,
           .contact_time = pulse.contact_time(),
-          .max_compression = radius_law.compression(a),
-          .max_force = radius_law.force(a),
+          .max_compression = turn.compression,
+          .max_force = turn.force,
           .max_radius = a,
           .beyond_perturbation = left_out > max_share};
 }

@@ -4,7 +4,6 @@
 
 #include "check.hpp"
 #include "quasistatic/lossy_motion.hpp"
-#include "quasistatic/point_pulse.hpp"
 
 namespace stoss::quasistatic {
 namespace {
@@ -32,11 +31,6 @@ LossyImpact lossy_impact(LossyLaw law, const LossyContact& contact, double speed
           .restitution = motion.restitution,
           .contact_time = unit * motion.contact_time,
           .max_compression = unit * speed * motion.max_compression};
-}
-
-double viscous_loss(PointLaw law, double poisson, double loss_time, double speed) {
-  require("loss_time", loss_time, {0.0, 1e3, true, true, "0 to 1000"}, "in units of R/c");
-  return loss_time * PointPulse(law, poisson, speed).squared_force() / (speed * speed);
 }
 
 }  // namespace stoss::quasistatic

@@ -1,11 +1,15 @@
+// With the overlap of a mode's motion and the force, q̈ + ω²q = (U/mω²) d²/dt² [F + U q dF/dδ]: while a sphere touches,
+// a mode turns at ω² + U² dF/dδ/m, which to first order adds the phase φ.
 #include "stoss/quasistatic/rayleigh.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <string>
 
-#include "quasistatic/driven_modes.hpp"
+#include "check.hpp"
 #include "quasistatic/pulse.hpp"
 
 namespace stoss::quasistatic {
@@ -47,34 +51,82 @@ double cosine(double x) {
   return 2.0 * result * result - 1.0;
 }
 
-/// ∫F cos ωt dt / v
-double amplitude(const ForcePulse::Nodes& nodes, double omega) {
+/// ∫F cos(ωt + φ) dt / v, with φ per ∫dF/dδ dt
+double amplitude(const Pulse::Nodes& nodes, double omega, double shift) {
   std::array<double, lanes> sum{};
-  for (std::size_t i = 0; i < nodes.time.size(); i += lanes) {
-    for (std::size_t k = 0; k < lanes; ++k) sum[k] += nodes.weight[i + k] * cosine(omega * nodes.time[i + k]);
+  if (shift == 0.0) {
+    for (std::size_t i = 0; i < nodes.time.size(); i += lanes) {
+      for (std::size_t k = 0; k < lanes; ++k) sum[k] += nodes.weight[i + k] * cosine(omega * nodes.time[i + k]);
+    }
+  } else {  // a slow sphere touches for so long that each rounding of the cosine counts
+    for (std::size_t i = 0; i < nodes.time.size(); ++i) {
+      sum[0] += nodes.weight[i] * std::cos(omega * nodes.time[i] + shift * nodes.stiffness[i]);
+    }
   }
   return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
-ForcePulse::Nodes padded(ForcePulse::Nodes nodes) {
+/// Nodes of no weight behind the last one fill up the lanes.
+Pulse::Nodes padded(Pulse::Nodes nodes) {
   const std::size_t size = (nodes.time.size() + lanes - 1) / lanes * lanes;
-  nodes.time.resize(size, 0.0);
-  nodes.weight.resize(size, 0.0);
+  for (auto* values : {&nodes.time, &nodes.weight, &nodes.stiffness}) values->resize(size, 0.0);
   return nodes;
+}
+
+/// φ per ∫dF/dδ dt of a mode of a sphere.
+double shift_of(const bodies::Mode& mode) { return 0.5 * mode.radial * mode.radial / mode.omega; }
+
+void require_modes(const std::vector<bodies::Mode>& modes, const std::string& amplitude) {
+  for (const bodies::Mode& mode : modes) {
+    require("omega", mode.omega, {0.0, 1000.0, false, true, "above 0 to 1000"}, "frequency of a mode, in c/R");
+    require("radial", mode.radial, {0.0, 1e6, true, true, "0 to 1e6"}, amplitude + " of a mode");
+  }
 }
 
 }  // namespace
 
-RayleighEstimate rayleigh(CompressionLaw law, double poisson, double speed, const std::vector<bodies::Mode>& modes,
+double mean_loss_factor(double poisson, const std::vector<bodies::Mode>& modes) {
+  const double stiffness = limit_force(PointLaw::hertz, poisson);  // (4/3)E*/m
+  require_modes(modes, "surface amplitude U");
+  double sum = 0.0;
+  for (const bodies::Mode& mode : modes) sum += mode.radial * mode.radial / std::pow(mode.omega, 5);
+  return 1.125 * std::numbers::pi * stiffness * stiffness * sum;
+}
+
+RayleighEstimate rayleigh(StaticLaw law, double poisson, double speed, const std::vector<bodies::Mode>& modes,
                           const Poll& poll) {
+  const bool point = std::holds_alternative<PointLaw>(law);
   RayleighEstimate result;
   result.impact = slow_impact(law, poisson, speed);
-  require_modes(modes, "edge amplitude C");
-  const ForcePulse pulse = slow_pulse(law, poisson, speed);
-  for (const bodies::Mode& mode : modes) result.cutoff = std::max(result.cutoff, mode.omega);
-  const ForcePulse::Nodes nodes = padded(pulse.nodes(result.cutoff));
-  const auto integral = [&](const bodies::Mode& mode) { return amplitude(nodes, mode.omega); };
-  drive(modes, integral, pulse.max_force_rate(), second_order_factor, poll, result);
+  require_modes(modes, point ? "surface amplitude U" : "edge amplitude C");
+  if (point) result.mean_lost_fraction = speed * mean_loss_factor(poisson, modes);
+  const auto pulse = slow_pulse(law, poisson, speed);
+  const double stiffest = pulse->at(0.0).stiffness;
+  const auto shift = [point](const bodies::Mode& mode) { return point ? shift_of(mode) : 0.0; };
+  double fastest = 0.0;
+  for (const bodies::Mode& mode : modes) {
+    result.cutoff = std::max(result.cutoff, mode.omega);
+    const double shifted = mode.omega + shift(mode) * stiffest;
+    if (std::isfinite(shifted)) fastest = std::max(fastest, shifted);
+  }
+  const Pulse::Nodes nodes = padded(pulse->nodes(fastest));
+  double inertia = 0.0;  // Σ radial²/ω⁴
+  result.modes.reserve(modes.size());
+  for (const bodies::Mode& mode : modes) {
+    if (poll) poll();
+    const double integral = amplitude(nodes, mode.omega, shift(mode));
+    const double edge = mode.radial * integral;
+    const double lag = mode.radial / (mode.omega * mode.omega);
+    result.modes.push_back(
+        {.order = mode.order, .index = mode.index, .omega = mode.omega, .amplitude = integral, .after = edge * edge});
+    result.lost_fraction += edge * edge;
+    inertia += lag * lag;
+  }
+  const double force_rate = pulse->max_force_rate();
+  result.kinetic_share = force_rate * force_rate * inertia;
+  const double change = (point ? point_second_order_factor : second_order_factor) * result.kinetic_share;
+  result.lost_fraction_error = change * (2.0 * std::sqrt(result.lost_fraction) + change);
+  result.beyond_perturbation = result.kinetic_share > max_kinetic_share;
   return result;
 }
 

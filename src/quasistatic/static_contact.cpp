@@ -13,7 +13,7 @@
 #include "bodies/sphere/mode_search.hpp"
 #include "bodies/sphere/surface_points.hpp"
 #include "check.hpp"
-#include "contact/edge/complementarity.hpp"
+#include "contact/edge/compliance.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::quasistatic {
@@ -70,6 +70,44 @@ double end_of_contact(const StaticContact& contact) {
   return std::abs(end - outermost) < contact.spacing ? end : outermost;
 }
 
+/// Solves f ≥ 0, g = W f − q ≥ 0, fᵀ g = 0 where round bodies touch on the first nodes, as many as are returned: the
+/// factor of a leading block of W is the leading block of that of W.
+/// @throws NotConverged where they touch otherwise
+std::size_t press(const FactoredCompliance& compliance, const std::vector<double>& q, std::vector<double>& force,
+                  std::vector<double>& displacement) {
+  const double tolerance = 1e-13 * *std::max_element(q.begin(), q.end());
+  const auto at = [](std::vector<double>& values, std::size_t i) {
+    return values.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  std::vector<double> inner(q.size());
+  std::size_t count = 1;
+  constexpr int max_trials = 100;
+  for (int trial = 0; trial < max_trials; ++trial) {
+    compliance.forward(count, q, inner);
+    compliance.backward(count, inner, force);
+    const auto pulls = [](double f) { return f < 0.0; };
+    std::size_t pressed = count;
+    while (pressed > 0 && pulls(force[pressed - 1])) --pressed;
+    if (pressed == 0 || std::any_of(force.begin(), at(force, pressed), pulls)) break;
+    if (pressed < count) {
+      count = pressed;
+      continue;
+    }
+    std::copy_n(q.begin(), count, displacement.begin());
+    compliance.multiply(count, count, force, displacement);
+    const auto passes = [&](std::size_t i) { return displacement[i] - q[i] < -tolerance; };
+    const std::size_t before = count;
+    while (count < q.size() && passes(count)) ++count;
+    for (std::size_t i = count; i < q.size(); ++i) {
+      if (passes(i)) throw NotConverged("static contact: the contact is not an interval", "nodes", "use fewer nodes");
+    }
+    if (count > before) continue;
+    std::fill(at(force, count), force.end(), 0.0);
+    return count;
+  }
+  throw NotConverged("static contact: no number of nodes satisfies the conditions", "nodes", "use fewer nodes");
+}
+
 /// The contact on nodes of a given spacing that cover a half-width.
 StaticContact on_nodes(const Pressed& body, double compression, double spacing, int nodes, const Poll& poll) {
   StaticContact result;
@@ -85,17 +123,16 @@ StaticContact on_nodes(const Pressed& body, double compression, double spacing, 
     result.position.push_back(phi);
     approach[i] = compression - 2.0 * std::sin(0.5 * phi) * std::sin(0.5 * phi);
   }
-  Complementarity problem(body.compliance(points), count, poll);
+  const FactoredCompliance compliance(body.compliance(points), count, poll);
   std::vector<double> force(count), displacement(count);
-  problem.solve(approach, force, displacement);
-  if (problem.extent() == count)
-    throw NotConverged("static contact: the contact outgrew its grid", "nodes", "use fewer nodes");
+  const std::size_t touching = press(compliance, approach, force, displacement);
+  if (touching == count) throw NotConverged("static contact: the contact outgrew its grid", "nodes", "use fewer nodes");
   for (std::size_t i = 0; i < count; ++i) {
     result.force += force[i] / body.mass;
     result.energy += 0.5 * force[i] * displacement[i] / body.mass;
     result.pressure.push_back(force[i] / body.measure(points, i));
   }
-  result.contact_nodes = static_cast<int>(problem.extent());
+  result.contact_nodes = static_cast<int>(touching);
   result.half_width = end_of_contact(result);
   return result;
 }

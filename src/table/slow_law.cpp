@@ -13,7 +13,6 @@
 #include "stoss/errors.hpp"
 #include "stoss/quasistatic/half_space_radiation.hpp"
 #include "stoss/quasistatic/point_lossy_impact.hpp"
-#include "stoss/quasistatic/point_rayleigh.hpp"
 #include "stoss/quasistatic/rayleigh.hpp"
 #include "stoss/quasistatic/slow_impact.hpp"
 

@@ -16,14 +16,14 @@
 
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
-#include "stoss/quasistatic/point_rayleigh.hpp"
+#include "stoss/quasistatic/rayleigh.hpp"
 #include "stoss/restitution/curve.hpp"
 
 namespace {
 
 using stoss::bodies::sphere::Mode;
 using stoss::quasistatic::PointLaw;
-using stoss::quasistatic::PointRayleighEstimate;
+using stoss::quasistatic::RayleighEstimate;
 
 constexpr double pi = std::numbers::pi;
 constexpr double tolerance = 1e-3;
@@ -52,7 +52,7 @@ std::vector<double> speeds(double poisson, double omega) {
 
 /// 1 − ε² by the ends of Hertz's pulse alone (docs/theory/points.md), with the contact time of the law of the centre.
 /// @param share 1, or 0 without the phase Φ that the stiffness of the contact adds
-double loss_of_ends(const PointRayleighEstimate& slow, const std::vector<Mode>& modes, double share) {
+double loss_of_ends(const RayleighEstimate& slow, const std::vector<Mode>& modes, double share) {
   const double modulus = 1.0 / (1.0 - slow.impact.poisson * slow.impact.poisson), mass = 4.0 * pi / 3.0;
   const double contact =
       share * 0.5549 * 4.0 * modulus * std::pow(slow.impact.max_radius, 3.0) / (mass * slow.impact.speed);
@@ -69,7 +69,7 @@ double loss_of_ends(const PointRayleighEstimate& slow, const std::vector<Mode>& 
 /// The quasi-static columns, where they have a meaning.
 std::string estimate(double poisson, double speed, const std::vector<Mode>& modes) {
   if (speed > 0.9 * stoss::quasistatic::limit_speed(PointLaw::center, poisson)) return ",,,,";
-  const PointRayleighEstimate slow = stoss::quasistatic::rayleigh(PointLaw::center, poisson, speed, modes);
+  const RayleighEstimate slow = stoss::quasistatic::rayleigh(PointLaw::center, poisson, speed, modes);
   if (slow.beyond_perturbation) return ",,,,";
   return fmt::format("{:.5f},{:.6g},{:.1e},{:.6g},{:.6g}", slow.impact.contact_time, slow.lost_fraction,
                      slow.lost_fraction_error, loss_of_ends(slow, modes, 1.0), loss_of_ends(slow, modes, 0.0));

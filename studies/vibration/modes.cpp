@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "stoss/bodies/sphere/modes.hpp"
-#include "stoss/quasistatic/point_rayleigh.hpp"
+#include "stoss/quasistatic/rayleigh.hpp"
 #include "stoss/restitution/restitution.hpp"
 #include "study.hpp"
 
@@ -32,7 +32,7 @@ struct Row {
 double slow_phase(const Row& row) {
   if (row.it.body != "sphere") return std::nan("");
   constexpr double poisson = 0.3, modulus = 1.0 / (1.0 - poisson * poisson), mass = 4.0 * pi / 3.0;
-  const stoss::quasistatic::PointSlowImpact slow =
+  const stoss::quasistatic::SlowImpact slow =
       stoss::quasistatic::slow_impact(stoss::quasistatic::PointLaw::center, poisson, row.speed);
   for (const auto& mode : stoss::bodies::sphere::modes(poisson, 20.0)) {
     if (mode.order != row.mode.order || mode.index != row.mode.index) continue;

@@ -7,11 +7,11 @@
 #include <numbers>
 #include <vector>
 
-#include "contact/edge/complementarity.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/contact/grid.hpp"
 #include "support/body_tools.hpp"
+#include "support/complementarity.hpp"
 
 namespace stoss {
 using namespace bodies::disk;

@@ -1,5 +1,5 @@
 // The contact problem f ≥ 0, g = W f − q ≥ 0, fᵀg = 0: against enumeration of all contact sets, and by its conditions.
-#include "contact/edge/complementarity.hpp"
+#include "support/complementarity.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@ using namespace quasistatic;
 
 namespace {
 
-double sum_of(const ForcePulse::Nodes& nodes, double omega) {
+double sum_of(const Pulse::Nodes& nodes, double omega) {
   double result = 0.0;
   for (std::size_t i = 0; i < nodes.time.size(); ++i) result += nodes.weight[i] * std::cos(omega * nodes.time[i]);
   return result;
@@ -20,8 +20,8 @@ double sum_of(const ForcePulse::Nodes& nodes, double omega) {
 
 TEST(SlowImpactPulse, NodesResolveTheFrequencyThatTheyAreMadeFor) {
   for (const double depth : {1e-14, 1e-6, 1e-2, 0.5, 3.0, 10.0, 27.0, 230.0}) {
-    const ForcePulse pulse(depth);
-    const ForcePulse::Nodes finer = pulse.nodes(4e3);
+    const LinePulse pulse(depth);
+    const Pulse::Nodes finer = pulse.nodes(4e3);
     for (const double omega : {0.01, 1.0, 10.0, 63.0, 250.0, 1000.0}) {
       const double allowed = depth < 1e-2 ? 2e-11 : 4e-13;
       EXPECT_NEAR(sum_of(pulse.nodes(omega), omega), sum_of(finer, omega), allowed) << depth << " " << omega;
@@ -45,14 +45,14 @@ TEST(SlowImpactPulse, SolvesForTheForceAtAnEnergy) {
 TEST(SlowImpactPulse, HasTheLinearSpringAsALimit) {
   // D → ∞: δ = A F, whose contact time is π√A; the next term is the one of the asymptotics.
   for (const double depth : {1e6, 1e9, 1e12}) {
-    const ForcePulse pulse(depth);
+    const LinePulse pulse(depth);
     const double expected = std::numbers::pi * std::sqrt(pulse.energy_factor());
     EXPECT_NEAR(pulse.contact_time() / expected - 1.0, 0.5 * std::numbers::ln2 / depth, 1e-14 + 1.0 / (depth * depth));
   }
 }
 
 TEST(SlowImpactPulse, AmplitudesOfTheLinearSpringAreThoseOfHalfASine) {
-  const ForcePulse pulse(1e12);
+  const LinePulse pulse(1e12);
   const double time = pulse.contact_time();
   for (const double cycles : {0.01, 0.5, 1.3, 2.4, 7.6, 40.2}) {  // ωτ/π
     const double omega = std::numbers::pi * cycles / time;

@@ -8,8 +8,9 @@
 #include <limits>
 #include <numbers>
 
-#include "quasistatic/point_pulse.hpp"
+#include "quasistatic/pulse.hpp"
 #include "stoss/quasistatic/half_space_radiation.hpp"
+#include "stoss/quasistatic/slow_impact.hpp"
 #include "support/refusal.hpp"
 #include "support/runge_kutta.hpp"
 
@@ -44,12 +45,12 @@ TEST(HalfSpaceRadiation, HasItsConstant) {
 TEST(HalfSpaceRadiation, PulseHasHertzsIntegrals) {
   // F = (5/4)(v²/δ)(h/δ)^{3/2} with the velocity v√(1 − (h/δ)^{5/2}).
   const double speed = 1e-3;
-  const PointPulse pulse(PointLaw::hertz, 0.3, speed);
-  const double a = pulse.greatest_radius(), scale = speed * speed / (a * a);
+  const PointPulse pulse(RadiusLaw(PointLaw::hertz, 0.3), speed);
+  const double a = slow_impact(PointLaw::hertz, 0.3, speed).max_radius, scale = speed * speed / (a * a);
   const double force = 1.25 * 1.25 * scale * scale * (a * a / speed) * 0.8 * boost::math::beta(1.6, 0.5);
   const double rate = 1.875 * 1.875 * scale * scale * (speed / (a * a)) * 0.8 * boost::math::beta(0.8, 1.5);
-  EXPECT_NEAR(pulse.squared_force() / force, 1.0, 1e-13);
-  EXPECT_NEAR(pulse.squared_force_rate() / rate, 1.0, 1e-13);
+  EXPECT_NEAR(pulse.squared_force() * speed * speed / force, 1.0, 1e-13);
+  EXPECT_NEAR(pulse.squared_force_rate() * speed * speed / rate, 1.0, 1e-13);
 }
 
 /// Loss of a unit mass with F = h^{3/2}, h = δ + DḞ, from the speed 1: h to the second order in D, in q = √δ and s with

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "stoss/bodies/sphere/modes.hpp"
-#include "stoss/quasistatic/point_compression.hpp"
+#include "stoss/quasistatic/compression.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {

@@ -9,12 +9,12 @@
 #include <numbers>
 #include <vector>
 
-#include "quasistatic/point_pulse.hpp"
+#include "quasistatic/pulse.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
-#include "stoss/quasistatic/point_rayleigh.hpp"
-#include "stoss/quasistatic/point_slow_impact.hpp"
 #include "stoss/quasistatic/quantities.hpp"
+#include "stoss/quasistatic/rayleigh.hpp"
+#include "stoss/quasistatic/slow_impact.hpp"
 #include "stoss/restitution/restitution.hpp"
 #include "support/refusal.hpp"
 #include "support/runge_kutta.hpp"
@@ -27,36 +27,35 @@ namespace {
 
 using std::numbers::pi;
 
-TEST(PointSlowImpact, IsHertzInHisLimit) {
+TEST(SlowImpact, IsHertzInHisLimit) {
   const double ratio = 0.8 * boost::math::beta(0.4, 0.5);
   EXPECT_NEAR(ratio, 2.9432, 1e-4);
   for (const double speed : {1e-12, 1e-6, 0.1}) {
-    const PointSlowImpact impact = slow_impact(PointLaw::hertz, 0.3, speed);
+    const SlowImpact impact = slow_impact(PointLaw::hertz, 0.3, speed);
     EXPECT_NEAR(impact.contact_time * speed / impact.max_compression, ratio, 1e-13);
     EXPECT_NEAR(std::pow(impact.max_radius, 5.0) / (1.25 * pi * 0.91 * speed * speed), 1.0, 1e-13);
   }
-  const PointSlowImpact slowest = slow_impact(PointLaw::center, 0.3, 1e-12);
+  const SlowImpact slowest = slow_impact(PointLaw::center, 0.3, 1e-12);
   EXPECT_NEAR(slowest.contact_time * 1e-12 / slowest.max_compression, ratio, 2e-6);
 }
 
-TEST(PointSlowImpact, ConservesEnergyAndMomentum) {
+TEST(SlowImpact, ConservesEnergyAndMomentum) {
   for (const double nu : {-0.5, 0.0, 0.3, 0.49}) {
     for (const double speed : {1e-12, 1e-4, 0.1}) {
-      const PointSlowImpact impact = slow_impact(PointLaw::center, nu, speed);
+      const SlowImpact impact = slow_impact(PointLaw::center, nu, speed);
       EXPECT_NEAR(compression_energy(impact.law, nu, impact.max_force) / (0.5 * speed * speed), 1.0, 1e-13);
       EXPECT_NEAR(compression(impact.law, nu, impact.max_force) / impact.max_compression, 1.0, 1e-13);
       double impulse = 0.0;
-      const PointPulse pulse(impact.law, nu, speed);
-      for (const double weight : pulse.nodes(1.0).weight) impulse += weight;
+      for (const double weight : slow_pulse(impact.law, nu, speed)->nodes(1.0).weight) impulse += weight;
       EXPECT_NEAR(impulse, 2.0, 1e-13);
     }
   }
 }
 
-TEST(PointSlowImpact, IsTheMotionOfTheCentreOfMass) {
+TEST(SlowImpact, IsTheMotionOfTheCentreOfMass) {
   // δ̈ = −F(δ) by Runge and Kutta's method from the turning point to half of the maximum force, and the history.
   const double nu = 0.3, speed = 0.02;
-  const PointSlowImpact impact = slow_impact(PointLaw::center, nu, speed);
+  const SlowImpact impact = slow_impact(PointLaw::center, nu, speed);
   constexpr int steps = 1000;
   const double h = 0.4 * impact.contact_time / steps;
   const auto force = [&](double at) {
@@ -81,11 +80,11 @@ TEST(PointSlowImpact, IsTheMotionOfTheCentreOfMass) {
   EXPECT_NEAR(history[4].time, impact.contact_time, 1e-12);
 }
 
-TEST(PointSlowImpact, RefusesNonsense) {
+TEST(SlowImpact, RefusesNonsense) {
   test::expect_refusal([] { (void)slow_impact(PointLaw::center, 0.3, 0.2); }, {"speed: got 0.2", "limit_speed"});
   test::expect_refusal([] { (void)slow_impact(PointLaw::center, 0.3, 1e-13); }, {"speed", "1e-12"});
   test::expect_refusal([] { (void)slow_impact(PointLaw::hertz, 0.5, 1e-3); }, {"poisson"});
-  const PointSlowImpact impact = slow_impact(PointLaw::center, 0.3, 1e-3);
+  const SlowImpact impact = slow_impact(PointLaw::center, 0.3, 1e-3);
   test::expect_refusal([&] { (void)contact_history(impact, {-0.1}); }, {"phase"});
 }
 
@@ -101,7 +100,7 @@ TEST(PointRayleigh, IsTheFormulaOfTheEndsForTheSlowest) {
   const double nu = 0.3, modulus = 1.0 / 0.91, mass = 4.0 * pi / 3.0;
   const std::vector<Mode> modes = bodies::sphere::modes(nu, 10.0);
   for (const double speed : {1e-8, 1e-10}) {
-    const PointRayleighEstimate estimate = rayleigh(PointLaw::center, nu, speed, modes);
+    const RayleighEstimate estimate = rayleigh(PointLaw::center, nu, speed, modes);
     double ends = 0.0;
     for (const Mode& mode : modes) {
       const double phase = 0.5549 * 4.0 * modulus * mode.radial * mode.radial *
@@ -123,7 +122,7 @@ TEST(PointRayleigh, IsNearTheFullSolution) {
   const std::vector<Mode> modes = bodies::sphere::modes(0.3, 60.0);
   for (const auto& [speed, within] : {std::pair{1e-2, 0.03}, {3e-3, 0.06}, {1e-3, 0.02}, {1e-4, 0.01}}) {
     const Restitution full = restitution(body, speed, {.tolerance = 5e-3, .absolute = 1e-9});
-    const PointRayleighEstimate estimate = rayleigh(PointLaw::center, 0.3, speed, modes);
+    const RayleighEstimate estimate = rayleigh(PointLaw::center, 0.3, speed, modes);
     const double loss = full.lost_fraction.value;
     EXPECT_NEAR(estimate.lost_fraction / loss, 1.0, within) << speed;
     EXPECT_NEAR(estimate.lost_fraction, loss, estimate.lost_fraction_error + full.lost_fraction.error) << speed;
@@ -141,7 +140,7 @@ TEST(PointRayleigh, ErrorEstimateHoldsForAllPoissonNumbers) {
     const std::vector<Mode> modes = bodies::sphere::modes(nu, 60.0);
     for (const double speed : {5.5e-4, 3e-3, 0.017}) {
       const Restitution full = restitution(body, speed, {.tolerance = 5e-3, .absolute = 1e-9});
-      const PointRayleighEstimate estimate = rayleigh(PointLaw::center, nu, speed, modes);
+      const RayleighEstimate estimate = rayleigh(PointLaw::center, nu, speed, modes);
       const double error = std::abs(estimate.lost_fraction - full.lost_fraction.value);
       EXPECT_LT(error, estimate.lost_fraction_error + full.lost_fraction.error) << nu << " " << speed;
       tightest = std::max(tightest, error / estimate.lost_fraction_error);
@@ -152,7 +151,7 @@ TEST(PointRayleigh, ErrorEstimateHoldsForAllPoissonNumbers) {
 }
 
 TEST(PointRayleigh, ShowsItsQuantities) {
-  const PointRayleighEstimate estimate = rayleigh(PointLaw::center, 0.3, 1e-3, bodies::sphere::modes(0.3, 10.0));
+  const RayleighEstimate estimate = rayleigh(PointLaw::center, 0.3, 1e-3, bodies::sphere::modes(0.3, 10.0));
   const auto& all = point_rayleigh_quantities();
   EXPECT_EQ(all.front().name, "lost_fraction");
   EXPECT_EQ(all.front().error(estimate), estimate.lost_fraction_error);

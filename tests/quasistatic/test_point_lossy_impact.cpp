@@ -12,7 +12,7 @@
 
 #include "quasistatic/lossy_motion.hpp"
 #include "stoss/quasistatic/point_lossy_impact.hpp"
-#include "stoss/quasistatic/point_slow_impact.hpp"
+#include "stoss/quasistatic/slow_impact.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {
@@ -56,7 +56,7 @@ TEST(PointLossyImpact, HasItsSeries) {
 TEST(PointLossyImpact, IsElasticWithoutLoss) {
   for (const LossyLaw law : {LossyLaw::ting, LossyLaw::point}) {
     const LossyImpact impact = lossy_impact(law, ball(0.3, 0.0), 1e-3);
-    const PointSlowImpact hertz = slow_impact(PointLaw::hertz, 0.3, 1e-3);
+    const SlowImpact hertz = slow_impact(PointLaw::hertz, 0.3, 1e-3);
     EXPECT_NEAR(impact.restitution, 1.0, 1e-14);
     EXPECT_NEAR(impact.contact_time / hertz.contact_time, 1.0, 1e-13);
     EXPECT_NEAR(impact.max_compression / hertz.max_compression, 1.0, 1e-13);

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "stoss/quasistatic/point_compression.hpp"
+#include "stoss/quasistatic/compression.hpp"
 #include "stoss/quasistatic/static_contact.hpp"
 #include "support/refusal.hpp"
 

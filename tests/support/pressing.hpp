@@ -3,10 +3,10 @@
 #include <numeric>
 #include <vector>
 
-#include "contact/edge/complementarity.hpp"
 #include "contact/edge/edge_contact.hpp"
 #include "contact/touch.hpp"
 #include "stoss/contact/grid.hpp"
+#include "support/complementarity.hpp"
 
 namespace stoss::test {
 

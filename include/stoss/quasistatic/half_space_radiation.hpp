@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stoss/quasistatic/point_slow_impact.hpp"
+#include "stoss/quasistatic/slow_impact.hpp"
 
 /// Loss of a slow ball to an elastic half-space, which carries it away as waves.
 ///

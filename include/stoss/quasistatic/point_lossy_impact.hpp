@@ -1,6 +1,5 @@
 #pragma once
 
-#include "stoss/quasistatic/point_compression.hpp"
 #include "stoss/quasistatic/point_hertz.hpp"
 
 /// Impact of round bodies of a lossy material, stress = (1 + η∂_t) elastic stress (Kelvin and Voigt, one loss time η
@@ -45,14 +44,5 @@ struct LossyImpact {
 /// @throws InvalidInput outside this range, for a pair as point_hertz (its curvature and softness above 0), for a mass
 ///         outside 1e-100 … 1e100, a negative loss time, and where x is above 1e6
 [[nodiscard]] LossyImpact lossy_impact(LossyLaw law, const LossyContact& contact, double speed);
-
-/// 1 − ε of a ball at a hard wall to first order of its loss time: η∫F² dt/(m²v²) over the elastic impact.
-///
-/// With Hertz' law it is c₁x = 1.153449 x; that of the centre adds 1.3 % at v = 1e-4, 3.7 % at 1e-3, 11 % at 0.01 (ν =
-/// 0.3).
-/// @param loss_time η, 0 to 1000 R/c; the next order is about the square of the result
-/// @param poisson, speed as for slow_impact
-/// @throws InvalidInput outside these ranges
-[[nodiscard]] double viscous_loss(PointLaw law, double poisson, double loss_time, double speed);
 
 }  // namespace stoss::quasistatic

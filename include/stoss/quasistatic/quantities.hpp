@@ -1,26 +1,24 @@
 #pragma once
 
 #include "stoss/quantity.hpp"
-#include "stoss/quasistatic/point_rayleigh.hpp"
-#include "stoss/quasistatic/point_slow_impact.hpp"
 #include "stoss/quasistatic/rayleigh.hpp"
 #include "stoss/quasistatic/slow_impact.hpp"
 
 namespace stoss::quasistatic {
 
-/// Quantities of a slow impact.
+/// Quantities of a slow impact of a disk.
 [[nodiscard]] const Quantities<SlowImpact>& slow_impact_quantities();
 
-/// Quantities of Rayleigh's estimate, those of the impact that drives the modes included.
+/// Quantities of Rayleigh's estimate for a disk, those of the impact that drives the modes included.
 [[nodiscard]] const Quantities<RayleighEstimate>& rayleigh_quantities();
 
 /// Quantities of one mode that a slow impact has driven.
 [[nodiscard]] const Quantities<DrivenMode>& driven_mode_quantities();
 
 /// Quantities of a slow impact of a sphere.
-[[nodiscard]] const Quantities<PointSlowImpact>& point_slow_impact_quantities();
+[[nodiscard]] const Quantities<SlowImpact>& point_slow_impact_quantities();
 
 /// Quantities of Rayleigh's estimate for a sphere, those of the impact that drives the modes included.
-[[nodiscard]] const Quantities<PointRayleighEstimate>& point_rayleigh_quantities();
+[[nodiscard]] const Quantities<RayleighEstimate>& point_rayleigh_quantities();
 
 }  // namespace stoss::quasistatic

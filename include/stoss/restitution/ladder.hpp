@@ -24,7 +24,7 @@ class RefinableContact {
 
   /// Two bodies. @throws InvalidInput as contact, and for bodies so unequal in size or wave speed that even a coarse
   /// contact would need more modes of the larger or slower one than are computed, unless it has a near side (disks)
-  RefinableContact(BodyMaker first, BodyMaker second);
+  RefinableContact(BodyMaker first, const BodyMaker& second);
 
   /// 24 at a wall, less for two bodies of which one would need more modes than are computed.
   [[nodiscard]] int highest_level() const;

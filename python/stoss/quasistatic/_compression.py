@@ -114,7 +114,7 @@ def contact_radius(body: Sphere, *, force: ArrayLike) -> Number:
         0.141927
     """
     ball: Sphere = instance("body", body, (Sphere,))
-    return over(_core.contact_radius, "hertz", poisson=ball.poisson, force=force)  # type: ignore[no-any-return]
+    return over(_core.contact_radius, poisson=ball.poisson, force=force)  # type: ignore[no-any-return]
 
 
 @_of_a_law

@@ -47,7 +47,7 @@ RefinableContact::RefinableContact(BodyMaker body) : ladder_(std::make_shared<La
   ladder_->body = std::move(body);
 }
 
-RefinableContact::RefinableContact(BodyMaker first, BodyMaker second) : ladder_(std::make_shared<Ladder>()) {
+RefinableContact::RefinableContact(BodyMaker first, const BodyMaker& second) : ladder_(std::make_shared<Ladder>()) {
   if (!first) refuse_missing_body();
   ladder_->body = std::move(first);
   if (!second)

@@ -1,4 +1,4 @@
-#include "contact/edge/complementarity.hpp"
+#include "support/complementarity.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
