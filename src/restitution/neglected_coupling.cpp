@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "contact/along.hpp"
@@ -48,8 +49,8 @@ Resolution coarse_resolution(const Contact& contact, double speed) {
 
 }  // namespace
 
-NeglectedCoupling::NeglectedCoupling(const RefinableContact& contact, double speed, const Poll& poll)
-    : refinable_(contact), speed_(speed), poll_(poll) {}
+NeglectedCoupling::NeglectedCoupling(const RefinableContact& contact, double speed, Poll poll)
+    : refinable_(contact), speed_(speed), poll_(std::move(poll)) {}
 
 /// Makes the contacts, and the impact without friction.
 void NeglectedCoupling::prepare() {

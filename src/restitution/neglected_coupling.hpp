@@ -13,7 +13,7 @@ namespace stoss {
 /// impact for each friction, and a slide with it and one without for each obliquity, on a few rings and with few modes.
 class NeglectedCoupling {
  public:
-  NeglectedCoupling(const RefinableContact& contact, double speed, const Poll& poll);
+  NeglectedCoupling(const RefinableContact& contact, double speed, Poll poll);
 
   [[nodiscard]] Coupling at(const Obliquity& obliquity);
 

@@ -64,7 +64,7 @@ void mix(ObliquePlan& plan, double beta, double friction) {
 double work_after(const Contact& contact, const ObliqueImpact& last, bool rings, std::size_t outcomes) {
   constexpr double growth = 2.0, least_shapes = 8.0;  // with two rungs: √2 times the steps, and more points
   const double points = last.normal.resolution.nodes, modes = static_cast<double>(last.normal.energy.modes.size());
-  const double steps = static_cast<double>(last.normal.steps);
+  const auto steps = static_cast<double>(last.normal.steps);
   const double shapes = std::min(points, least_shapes + nyquist_nodes(contact, last.normal.max_half_width));
   const double before = rings ? steps * shapes * shapes : 0.0;
   return growth * steps * (modes + (points * points + before) * static_cast<double>(1 + outcomes));
@@ -102,6 +102,7 @@ double refine(const RefinableContact& contact, const ObliqueOptions& options, st
   const Contact& probe = contact.at(0, options.poll);
   double stretch = probe.unbounded ? contact.stretch(speed) : 1.0 / contact.part(), width = 0.0;
   std::vector<Obliquity> obliquities;
+  obliquities.reserve(open.size());
   for (const ObliqueRestitution* each : open) obliquities.push_back(each->before);
   if (!probe.unbounded) (void)contact.highest_whole_level();  // which refuses bodies that are too unequal
   const Contact& coarse = contact.at(contact.cutoff(0), stretch, options.poll);

@@ -1,6 +1,7 @@
 #include "impact/oblique/frame.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -172,8 +173,8 @@ ObliqueImpact ObliqueFrame::joined(Impact normal, const Obliquity& before, Along
 
   const EnergyLedger& own = normal.energy;
   const double share = normal_energy / initial;
-  double of_modes[] = {0.0, 0.0};
-  for (const ModeEnergy& mode : own.modes) of_modes[mode.body] += mode.after;
+  std::array<double, 2> of_modes{};
+  for (const ModeEnergy& mode : own.modes) of_modes[static_cast<std::size_t>(mode.body)] += mode.after;
   // What is not in modes is the rest of a body of which a part is there.
   const double second = part_of_second ? own.vibration - of_modes[0] : of_modes[1];
   ObliqueLedger& ledger = result.energy;
