@@ -195,7 +195,8 @@ class BesselTable {
   };
 
   [[nodiscard]] Place at(double x) const {
-    const auto index = static_cast<std::size_t>(per_unit * x + 0.5);
+    // Half-way between two places, either will do.
+    const auto index = static_cast<std::size_t>(per_unit * x + 0.5);  // NOLINT(bugprone-incorrect-roundings)
     return {polynomials_[index], x - static_cast<double>(index) / per_unit};
   }
 

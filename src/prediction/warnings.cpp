@@ -1,14 +1,15 @@
 #include "prediction/warnings.hpp"
 
+#include <array>
 #include <cstdio>
 
 namespace stoss::prediction {
 namespace {
 
 std::string rounded(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", number);
-  return text;
+  std::array<char, 32> text{};
+  (void)std::snprintf(text.data(), text.size(), "%.2g", number);  // it fits
+  return text.data();
 }
 
 bool has_loss(const Participant& of) {

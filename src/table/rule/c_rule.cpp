@@ -15,8 +15,8 @@ std::vector<std::string> comment(const RuleTable& rule, const TableLabel& label)
   const RuleValues& values = rule.values();
   const bool mixture = values.sliding.ratios.size() > 1;
   return {
-      "Collision rule of two round elastic bodies with friction: speed v of approach along the normal, sliding s of "
-      "the",
+      std::string("Collision rule of two round elastic bodies with friction: speed v of approach along the normal, ") +
+          "sliding s of the",
       "first body's point of contact over the second's, Coulomb's friction, ratio of the second radius to the first.",
       "",
       "  @name@_restitution(v, s, friction, ratio)  of the normal velocity, error at most " +
