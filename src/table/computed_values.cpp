@@ -55,7 +55,7 @@ Estimate computed(const Request& request, double whole, double share, const std:
 
 std::vector<Estimate> computed_values(const std::vector<Request>& requests, double error, double share, int threads,
                                       const Poll& poll, const std::function<std::string(std::size_t)>& place) {
-  const auto job = [&](std::size_t i, const Poll& heed) { return computed(requests[i], error, share, place(i), heed); };
+  const auto job = [&](std::size_t i, const Poll& own) { return computed(requests[i], error, share, place(i), own); };
   std::vector<Estimate> results;
   const auto deliver = [&results](std::size_t, Estimate&& result) { results.push_back(result); };
   run_in_order<Estimate>(requests.size(), threads, job, deliver, poll);

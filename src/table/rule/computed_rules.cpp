@@ -22,8 +22,8 @@ namespace {
 constexpr std::string_view of_value = " (use a larger tolerance";  // than that of a value, not of the table
 constexpr double any_friction = 0.01;                              // the sliding stays far below c
 
-/// How to slide at s: with equal shares of velocity and spins, then, to compare, by each alone.
-std::vector<Obliquity> ways(const ObliqueFrame& frame, double sliding, double friction, bool compare) {
+/// Motions that slide at s: with equal shares of velocity and spins, then, to compare, by each alone.
+std::vector<Obliquity> motions_of(const ObliqueFrame& frame, double sliding, double friction, bool compare) {
   std::vector<Obliquity> single{{.tangential = sliding, .friction = friction}};
   if (sliding != 0.0 && frame.inertia[0] > 0.0) {
     single.push_back({.spin = sliding / frame.radius[0], .friction = friction});
@@ -90,7 +90,7 @@ std::vector<RulePoint> computed(const RuleRequest& request, const RuleDemand& de
   std::vector<Obliquity> before;
   std::vector<std::size_t> begin{0};
   for (const auto& [z, compare] : request.slips) {
-    const std::vector<Obliquity> own = ways(frame, limit * (1.0 + z) / (1.0 - z), friction, compare);
+    const std::vector<Obliquity> own = motions_of(frame, limit * (1.0 + z) / (1.0 - z), friction, compare);
     before.insert(before.end(), own.begin(), own.end());
     begin.push_back(before.size());
   }
@@ -139,8 +139,8 @@ std::vector<std::vector<RulePoint>> computed_rules(const std::vector<RuleRequest
     for (const RuleSlip& slip : each.slips) jobs.emplace_back(i, RuleRequest{each.contact, each.speed, {slip}});
   }
   std::vector<Points> results(requests.size());
-  const auto job = [&](std::size_t k, const Poll& heed) {
-    return computed(jobs[k].second, demand, place(jobs[k].first), heed);
+  const auto job = [&](std::size_t k, const Poll& own) {
+    return computed(jobs[k].second, demand, place(jobs[k].first), own);
   };
   const auto deliver = [&](std::size_t k, Points&& points) {
     Points& own = results[jobs[k].first];
