@@ -13,10 +13,10 @@ namespace stoss::numeric {
 class Bins {
  public:
   /// @param x rising, two or more
-  explicit Bins(std::vector<double> x) : x_(std::move(x)), begin_(x_.front()) {
+  explicit Bins(std::vector<double> x) : x_(std::move(x)), begin_(x_.front()), end_(x_.back()) {
     constexpr double rounding = 1e-6;  // of a bin: it begins no later than a place that is found in it
     const std::size_t intervals = x_.size() - 1;
-    per_unit_ = static_cast<double>(intervals) / (x_.back() - begin_);
+    per_unit_ = static_cast<double>(intervals) / (end_ - begin_);
     for (std::size_t k = 0; k < intervals; ++k) intervals_.push_back({x_[k], x_[k + 1], 1.0 / (x_[k + 1] - x_[k])});
     intervals_.back().end = std::numeric_limits<double>::infinity();
     std::size_t k = 0;
@@ -36,7 +36,7 @@ class Bins {
 
   /// Share of interval k at which a place lies.
   [[nodiscard]] double share(std::size_t k, double at) const {
-    return at < x_.back() ? (at - intervals_[k].begin) * intervals_[k].per_width : 1.0;
+    return at < end_ ? (at - intervals_[k].begin) * intervals_[k].per_width : 1.0;
   }
 
   [[nodiscard]] const std::vector<double>& x() const { return x_; }
@@ -54,7 +54,7 @@ class Bins {
   };
 
   std::vector<double> x_;
-  double begin_, per_unit_ = 0.0;
+  double begin_, end_, per_unit_ = 0.0;
   std::vector<Interval> intervals_{};
   std::vector<std::size_t> first_{};
 };
