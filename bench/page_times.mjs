@@ -51,7 +51,7 @@ function asked(ask, { encounter, speed, question = 'restitution' }, tolerance) {
 /** In a process of its own. */
 async function measure(number) {
   const { compile, instantiate } = await import(core);
-  const module = await compile();
+  const module = await compile(new URL('../build/npm/first.wasm', import.meta.url));
   const ask = await instantiate(module);
   const times = {};
   if (process.argv[3] === 'warm') {

@@ -28,10 +28,9 @@ if [[ " ${DEB_BUILD_PROFILES:-} " != *" nodoc "* ]]; then
   [ -f build/docs/index.html ] && [ -f build/wasm/stoss.mjs ] && [ -d web/node_modules ] ||
     fail "build/docs: got no site with the page, allowed that of make docs, or DEB_BUILD_PROFILES=nodoc"
   cp -R build/docs "$out/site"
-  # A source package has no code that nobody can read, nor what Debian has: the page is built anew, fonts are left out.
+  # A source package has no code that nobody can read, nor what Debian has: the page is built anew.
   rm -rf "$out"/site/{.buildinfo,.doctrees,page,_static/katex}
   (cd web && STOSS_DOCUMENTATION=../ npx vite build --minify false --outDir "../$out/site/page" --emptyOutDir --logLevel warn)
-  rm -f "$out"/site/page/assets/KaTeX_*
   pack "$out/stoss_$version.orig-site.tar.gz" -C "$out" site
   mv "$out/site" "$out/$tree/site"
 fi

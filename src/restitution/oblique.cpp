@@ -173,7 +173,7 @@ double refine(const RefinableContact& contact, const ObliqueOptions& options, st
 std::vector<ObliqueRestitution> results_of(const RefinableContact& contact, double speed,
                                            const std::vector<Obliquity>& obliquities, const ObliqueOptions& options,
                                            Content content) {
-  require("tolerance", options.tolerance, ranges::sliding_tolerance, "error of s' over the greater of |s| and mu v_n");
+  require_tolerance(options);
   require_speed(speed);
   std::vector<ObliqueRestitution> results;
   for (const Obliquity& obliquity : obliquities) {

@@ -10,6 +10,7 @@
 #include "contact/along.hpp"
 #include "contact/touch.hpp"
 #include "impact/oblique/frame.hpp"
+#include "restitution/oblique_errors.hpp"
 #include "restitution/ordered_jobs.hpp"
 
 namespace stoss {
@@ -37,8 +38,7 @@ double tangential_at(double angle, double speed) {
 
 void validate(const RefinableContact& contact, const std::vector<ObliqueCase>& cases,
               const ObliqueCurveOptions& options) {
-  const double speed = cases.empty() ? 1.0 : cases.front().speed;
-  (void)oblique_restitution(contact, speed, std::vector<Obliquity>{}, options.each);  // refuses a tolerance
+  require_tolerance(options.each);
   require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
   if (cases.empty()) return;
   const Contact& probe = contact.at(0, options.each.poll);

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "check.hpp"
 #include "impact/recommended.hpp"
 
 namespace stoss {
@@ -103,6 +104,10 @@ int ObliquePlan::points(double cutoff, double nyquist, int level) const {
   const double least = 16.0 + level, needed = (too_fine() ? where_too_fine : wanted_points(*this)) + level;
   const double wanted = std::max(usual, level == 0 ? of_first * needed : needed);
   return static_cast<int>(std::lround(std::max({wanted, least, nyquist})));
+}
+
+void require_tolerance(const ObliqueOptions& options) {
+  require("tolerance", options.tolerance, ranges::sliding_tolerance, "error of s' over the greater of |s| and mu v_n");
 }
 
 void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution& result) {

@@ -32,6 +32,9 @@ struct ObliquePlan {
   [[nodiscard]] int points(double cutoff, double nyquist, int level) const;
 };
 
+/// Checks what is asked for. @throws InvalidInput for a tolerance out of range
+void require_tolerance(const ObliqueOptions& options);
+
 /// Adds a run to a result, and fills what follows from all of them.
 void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution& result);
 

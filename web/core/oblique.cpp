@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "motion.hpp"
 #include "results.hpp"
-#include "stoss/encounter/collision.hpp"
 #include "stoss/impact/quantities.hpp"
 #include "stoss/restitution/oblique_curve.hpp"
 #include "stoss/restitution/quantities.hpp"
@@ -16,28 +16,9 @@ namespace {
 
 using emscripten::val;
 
-ObliqueCase at_angle(const Question& asked, const Meeting& meeting, double angle) {
-  return own_units(meeting.encounter, {.speed = asked.number("speed"),
-                                       .angle = angle,
-                                       .spin = asked.number("spin", 0.0),
-                                       .second_spin = asked.number("second_spin", 0.0),
-                                       .friction = asked.number("friction", 0.0)});
-}
-
-ObliqueCase case_of(const Question& asked, const Meeting& meeting) {
-  return at_angle(asked, meeting, asked.number("angle"));
-}
-
 ObliqueCurveOptions oblique_options(const Question& asked) {
   return {.each = {.tolerance = asked.number("tolerance", ObliqueOptions{}.tolerance), .poll = say_alive},
           .threads = 1};
-}
-
-/// Whether the motion is in range. @throws InvalidInput with the name of what is not
-val motion(const Question& asked) {
-  const auto meeting = asked.meeting();
-  validate(meeting->contact, {case_of(asked, *meeting)}, {});
-  return val::undefined();
 }
 
 /// The collision rule.
@@ -126,7 +107,6 @@ val oblique_collision(const Question& asked) {
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(oblique) {
-  emscripten::function("motion", &answered<motion>);
   emscripten::function("oblique", &answered<oblique>);
   emscripten::function("obliqueAngles", &answered<oblique_angles>);
   emscripten::function("obliqueCollision", &answered<oblique_collision>);

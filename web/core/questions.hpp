@@ -2,15 +2,12 @@
 
 #include <emscripten/bind.h>
 
-#include <array>
 #include <memory>
-#include <new>
 #include <optional>
 #include <string>
 
 #include "javascript.hpp"
 #include "stoss/encounter/encounter.hpp"
-#include "stoss/errors.hpp"
 
 /// The questions of web/package/questions.ts, and those of web/src/core/local.ts: each is a function of JavaScript,
 /// bound where it is answered.
@@ -62,25 +59,12 @@ struct Question {
 
 /// What JavaScript gets of a function that answers a question: { value }, or { error } with one line and, of a refused
 /// input, { refusal } with its parts; no exception leaves for JavaScript, which cannot read those of C++.
+[[nodiscard]] emscripten::val answered(emscripten::val (*answer)(const Question&), const Question& asked);
+
+/// That of one function, to be bound.
 template <emscripten::val (*answer)(const Question&)>
 emscripten::val answered(const emscripten::val& given, const emscripten::val& deliver) {
-  std::string what;
-  try {
-    return object({{"value", answer({given, deliver})}});
-  } catch (const InvalidInput& error) {
-    constexpr std::array kinds{"out_of_range", "missing", "conflict"};
-    const emscripten::val refusal = object({{"kind", emscripten::val(kinds[static_cast<std::size_t>(error.kind())])},
-                                            {"name", emscripten::val(error.name())},
-                                            {"got", emscripten::val(error.got())},
-                                            {"allowed", emscripten::val(error.allowed())},
-                                            {"hint", emscripten::val(error.hint())}});
-    return object({{"error", emscripten::val(std::string(error.what()))}, {"refusal", refusal}});
-  } catch (const std::bad_alloc&) {
-    what = "memory: the computation needs more than there is (a greater tolerance needs less)";
-  } catch (const std::exception& error) {
-    what = error.what();
-  }
-  return object({{"error", emscripten::val(what)}});
+  return answered(answer, {given, deliver});
 }
 
 }  // namespace stoss::web

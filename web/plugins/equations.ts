@@ -1,26 +1,16 @@
-// Parts of the page that are made when it is built: its words, equations in KaTeX's HTML, and KaTeX's fonts in use.
+// Parts of the page that are made when it is built: its words, and equations in MathML, which browsers draw themselves.
 import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import katex from 'katex';
 import type { Plugin } from 'vite';
 
-/** Fonts of the glyphs in our equations; the page asks for no others. */
-const fonts = ['KaTeX_Main-Regular', 'KaTeX_Math-Italic', 'KaTeX_Size1-Regular', 'KaTeX_Size2-Regular'];
-
-/** Replace <tex>…</tex>, and <tex display>…</tex>, by HTML for the eye and MathML for screen readers. */
+/** Replace <tex>…</tex>, and <tex display>…</tex>, by MathML. */
 export function renderEquations(html: string): string {
   return html.replace(/<tex( display)?>([\s\S]*?)<\/tex>/g, (_, display: string | undefined, source: string) =>
     katex.renderToString(source.trim().replaceAll('&amp;', '&').replaceAll('&lt;', '<'), {
-      displayMode: display !== undefined, throwOnError: true, strict: true, output: 'htmlAndMathml',
-    }),
+      displayMode: display !== undefined, throwOnError: true, strict: true, output: 'mathml',
+    }).replace(/<\/?span[^>]*>|<annotation[\s\S]*?<\/annotation>/g, ''),
   );
-}
-
-/** KaTeX's style sheet with the woff2 files of the fonts in use, and without all others. */
-export function withoutUnusedFonts(css: string): string {
-  return css
-    .replace(/@font-face\{[^}]*\}/g, (face) => (fonts.some((font) => face.includes(`/${font}.woff2`)) ? face : ''))
-    .replace(/,url\([^)]*\.(woff|ttf)\) format\("[a-z]*"\)/g, '');
 }
 
 /** A text with the words of a table in place of their {{names}}. */
@@ -31,7 +21,7 @@ export function withWords(text: string, words: Readonly<Record<string, string>>)
   });
 }
 
-/** The plugin: {{words}}, `%ICON%` and `%DOCUMENTATION%` in index.html, equations, fonts. The icon is in the page, since
+/** The plugin: {{words}}, `%ICON%` and `%DOCUMENTATION%` in index.html, and equations. The icon is in the page, since
  *  browsers ask for it again whenever the address changes. `documentation` is the address of the manual, '' for none:
  *  then what stands between <!-- documentation --> and its end is left out. */
 export function equations(documentation: string, words: Readonly<Record<string, string>>): Plugin {
@@ -52,9 +42,6 @@ export function equations(documentation: string, words: Readonly<Record<string, 
         const icon = encodeURIComponent(readFileSync(resolve(folder, 'src/icon.svg'), 'utf8'));
         return renderEquations(linked.replace('%ICON%', `data:image/svg+xml,${icon}`));
       },
-    },
-    transform(code, id) {
-      return id.includes('katex.min.css') ? { code: withoutUnusedFonts(code), map: null } : null;
     },
   };
 }

@@ -1,5 +1,4 @@
 // The page: inputs on one side, what is computed from them on the other.
-import 'katex/dist/katex.min.css';
 import './drawing/pictures.css';
 import { createAngleChart } from './charts/angle_chart';
 import { createCurveChart } from './charts/curve_chart';
@@ -9,6 +8,7 @@ import { createTimeCharts } from './charts/time_charts';
 import { createCore } from './core/client';
 import type { Core, Encounter, Motion, Restitution } from './core/protocol';
 import { find, messageOf } from './drawing/dom';
+import { loadPlot } from './drawing/library';
 import { say } from './drawing/words';
 import { fromAddress } from './inputs/address';
 import { refusal } from './inputs/check';
@@ -29,7 +29,7 @@ import { createHops } from './scene/hop_film';
 import { createScene } from './scene/scene';
 
 const results = createResults();
-const loading = createCore();
+const loading = createCore(() => void loadPlot());
 /** The core, which can be asked before it is there. */
 const core = (async (...asked: Parameters<Core>) => (await loading)(...asked)) as Core;
 let inputs = fromAddress(location.search).inputs;

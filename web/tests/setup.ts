@@ -1,5 +1,7 @@
-// Before every file of tests: the page asks the core for units, ranges and numbers.
+// Before every file of tests: the page asks the core for units, ranges and numbers, and draws its charts.
 import { setLocal } from '../src/core/local';
+import { loadPlot } from '../src/drawing/library';
 import { core } from './core/wasm';
 
 setLocal(core);
+await loadPlot();

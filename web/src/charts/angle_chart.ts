@@ -1,8 +1,8 @@
 // The chart of ε_t and ε against the angle: points fill in, a reader picks an angle.
 
-import * as Plot from '@observablehq/plot';
 import { least } from 'd3-array';
 import type { AnglePoint } from '../core/protocol';
+import { Plot } from '../drawing/library';
 import { withError, written } from '../drawing/numbers';
 import { type Drawn, draw, drawLegend } from '../drawing/plot';
 import { look, type Theme } from '../drawing/theme';

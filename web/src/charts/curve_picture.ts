@@ -1,7 +1,8 @@
 // A chart of ε against the speed: its axes, and its description.
-import * as Plot from '@observablehq/plot';
+import type { Markish } from '@observablehq/plot';
 import { extent } from 'd3-array';
 import type { CurvePoint, Encounter } from '../core/protocol';
+import { Plot } from '../drawing/library';
 import { type Drawn, type Scale, draw, drawLegend } from '../drawing/plot';
 import { type Look, type Theme, look } from '../drawing/theme';
 import { say } from '../drawing/words';
@@ -106,7 +107,7 @@ export function drawCurves(content: CurveContent, width: number, theme: Theme): 
 export type Place = Bar & { at: number; converged: boolean };
 
 /** Error bars, as far as the chart goes. */
-function errorBars(places: Place[], y: Scale, color: string, width: number): Plot.Markish {
+function errorBars(places: Place[], y: Scale, color: string, width: number): Markish {
   const known = places.filter(({ low, high }) => low !== undefined && high !== undefined);
   return Plot.ruleX(known, {
     x: 'at', y1: ({ low }: Place) => Math.max(low!, y.low), y2: 'high', stroke: color, strokeWidth: width,
@@ -115,7 +116,7 @@ function errorBars(places: Place[], y: Scale, color: string, width: number): Plo
 }
 
 /** Points in any order with their error bars, and a line through them. */
-export function pointMarks(points: Place[], y: Scale, { color, dash, marker }: Look, theme: Theme): Plot.Markish[] {
+export function pointMarks(points: Place[], y: Scale, { color, dash, marker }: Look, theme: Theme): Markish[] {
   const places = points.filter(({ value }) => !y.log || value > 0).sort((a, b) => a.at - b.at);
   const [r, x] = [places.length > 80 ? 2.2 : places.length > 40 ? 2.8 : 3.4, 'at'];
   return [
@@ -129,7 +130,7 @@ export function pointMarks(points: Place[], y: Scale, { color, dash, marker }: L
 }
 
 /** What the inputs stand for: a guide, and points on it. */
-export function currentMarks(at: number, bars: Bar[], y: Scale, theme: Theme): Plot.Markish[] {
+export function currentMarks(at: number, bars: Bar[], y: Scale, theme: Theme): Markish[] {
   const places = bars.filter(({ value }) => Number.isFinite(value) && (!y.log || value >= y.low))
     .map((bar): Place => ({ ...bar, at, converged: true }));
   return [

@@ -1,8 +1,8 @@
 // Modes in pictures: their energies as bars, and the shape of one, swinging.
-import * as Plot from '@observablehq/plot';
 import { max, min, range, sum } from 'd3-array';
 import type { Collision, ModeEnergy, Shape } from '../core/protocol';
 import { fitCanvas } from '../drawing/canvas';
+import { Plot } from '../drawing/library';
 import { type Drawn, type Scale, BESIDE, draw, drawLegend } from '../drawing/plot';
 import { type Theme, look, motionIsReduced } from '../drawing/theme';
 import { say } from '../drawing/words';

@@ -1,7 +1,8 @@
 // What is drawn of a coefficient of restitution, and the curve of a model in a chart of it against the speed: its spread,
 // and a line that is dashed as no other.
-import * as Plot from '@observablehq/plot';
+import type { Markish } from '@observablehq/plot';
 import type { Prediction } from '../core/protocol';
+import { Plot } from '../drawing/library';
 import { bandInWords, withError, written } from '../drawing/numbers';
 import type { Scale } from '../drawing/plot';
 import type { Theme } from '../drawing/theme';
@@ -57,7 +58,7 @@ export function endsOfSpread(points: readonly ModelPoint[]): { restitution: numb
 /** The spread and the line. */
 export function modelMarks(
   points: readonly ModelPoint[], y: Scale, ordinate: Ordinate, theme: Theme,
-): Plot.Markish[] {
+): Markish[] {
   const { color, dash } = modelLook(theme);
   const place = (restitution: number): number => Math.max(y.low, barOf(ordinate, restitution, 0).value);
   const x = 'speed';

@@ -1,8 +1,8 @@
 // What the charts of one collision in time show; and in words, for those who do not see them.
 
-import * as Plot from '@observablehq/plot';
 import { extent, maxIndex, minIndex, range } from 'd3-array';
 import type { Collision, Course, ObliqueCollision } from '../core/protocol';
+import { Plot } from '../drawing/library';
 import { interpolate, withUnit, written } from '../drawing/numbers';
 import { type Axis, type Drawn, draw, unitAlong } from '../drawing/plot';
 import { look, type Theme } from '../drawing/theme';

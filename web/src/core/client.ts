@@ -1,24 +1,35 @@
-// The core in workers: what is asked often does not wait for what takes long.
-import { compile, instantiate } from 'stoss';
+// The core in workers: what is asked often does not wait for what takes long, and a first value not for the whole core.
+import { type CompiledCore, compile, instantiate } from 'stoss';
+import firstQuestions from 'stoss/first.wasm?url';
 import { createLane, type Fellow, type Lane } from './lane';
 import { setLocal } from './local';
 import type { Core, Questions } from './protocol';
 import { withWarmUp } from './warm_up';
 import CoreWorker from './worker?worker&inline';
 
-/** The core of this page, which needs no network once it is loaded. */
-export async function createCore(): Promise<Core> {
-  const module = await compile();
-  setLocal(await instantiate(module, () => {}));
-  const lane = (): Lane => createLane((): Fellow => new CoreWorker(), module);
-  const [value, film] = [lane(), lane()];
+/** The core of this page, which needs no network once all of it is loaded: after its first answer, when `answered` is
+ *  called. */
+export async function createCore(answered: () => void): Promise<Core> {
+  const first = await compile(firstQuestions);
+  setLocal(await instantiate(first));
+  let loading: Promise<CompiledCore> | undefined;
+  const whole = (): Promise<CompiledCore> => (loading ??= compile().catch((error: unknown) => {
+    loading = undefined; // to be tried again
+    throw error;
+  }));
+  const lane = (module: () => Promise<CompiledCore>): Lane => createLane((): Fellow => new CoreWorker(), module);
+  const ready = (): Promise<CompiledCore> => Promise.resolve(first);
+  const film = lane(whole);
   // A value must be there at once, while films, curves and tables take their time.
-  const lanes: Record<keyof Questions, Lane> =
-    {
-      restitution: value, oblique: value, collision: film, obliqueCollision: film, frames: film, sound: film, shape: film,
-      curve: lane(), obliqueAngles: lane(), header: lane(), prediction: lane(),
-    };
+  const lanes: Record<keyof Questions, Lane> = {
+    restitution: lane(ready), prediction: lane(ready), curve: lane(ready), oblique: lane(whole),
+    collision: film, obliqueCollision: film, frames: film, sound: film, shape: film,
+    obliqueAngles: lane(whole), header: lane(whole),
+  };
   return withWarmUp((question, encounter, given, { deliver, signal } = {}) =>
     lanes[question]({ question, given: { ...given, document: JSON.stringify(encounter) } }, deliver, signal) as
-      Promise<never>);
+      Promise<never>, () => setTimeout(() => { // when it is shown
+        answered();
+        whole().catch(() => {});
+      }));
 }

@@ -1,9 +1,10 @@
 // One worker with the calls that wait for it. A call that is aborted ends soon; a worker that dies is replaced.
 import type { CompiledCore } from 'stoss';
+import { messageOf } from '../drawing/dom';
 import { type Call, CoreError, type Deliver, type Refusal } from './protocol';
 import { say } from '../drawing/words';
 
-/** The first message is the compiled core; then one call after another. */
+/** The compiled core, once, and one call after another, which wait for it. */
 export type ToWorker = { module: CompiledCore } | { call: Call };
 
 export type FromWorker =
@@ -45,17 +46,19 @@ export const patience = 100;
 export const silence = 5;
 const startup = 30;
 
-export function createLane(spawn: () => Fellow, module: CompiledCore): Lane {
+/** @param module is asked for with every worker that starts */
+export function createLane(spawn: () => Fellow, module: () => Promise<CompiledCore>): Lane {
   const waiting: Task[] = [];
   let current: Task | undefined;
   let worker: Fellow | undefined;
   let heard = false; // whether the worker has said anything yet
+  let loaded = false; // whether it has the core
   let clock: ReturnType<typeof setTimeout> | undefined;
 
   function start(): Fellow {
     const fresh = spawn();
     worker = fresh;
-    heard = false;
+    heard = loaded = false;
     fresh.onmessage = ({ data }) => {
       if (worker !== fresh) return;
       heard = true;
@@ -65,7 +68,14 @@ export function createLane(spawn: () => Fellow, module: CompiledCore): Lane {
     fresh.onerror = (event) => {
       if (worker === fresh) lose(event.message);
     };
-    fresh.postMessage({ module });
+    module().then((its) => {
+      if (worker !== fresh) return;
+      loaded = true;
+      fresh.postMessage({ module: its });
+      listen();
+    }, (error: unknown) => {
+      if (worker === fresh) lose(messageOf(error));
+    });
     return fresh;
   }
 
@@ -75,10 +85,10 @@ export function createLane(spawn: () => Fellow, module: CompiledCore): Lane {
     current = undefined;
   }
 
-  /** Waits for the next word of a worker that computes. */
+  /** Waits for the next word of a worker that computes; a slow network may take its time. */
   function listen(): void {
     clearTimeout(clock);
-    if (current) clock = setTimeout(() => lose(say('core.silent')), 1000 * (heard ? silence : startup));
+    if (current && loaded) clock = setTimeout(() => lose(say('core.silent')), 1000 * (heard ? silence : startup));
   }
 
   function take(message: FromWorker): void {

@@ -3,19 +3,20 @@ import { type Ask, instantiate } from 'stoss';
 import type { FromWorker, ToWorker } from './lane';
 import { CoreError } from './protocol';
 
-let core: Promise<Ask> | undefined;
+let begin: (core: Promise<Ask>) => void;
+const core = new Promise<Ask>((resolve) => (begin = resolve));
 
 const post = (message: FromWorker): void => postMessage(message);
 
 addEventListener('message', async ({ data }: MessageEvent<ToWorker>) => {
   try {
     if ('module' in data) {
-      core = instantiate(data.module, () => post({ kind: 'alive' }));
+      begin(instantiate(data.module, () => post({ kind: 'alive' })));
       await core;
       post({ kind: 'alive' });
     } else {
       const { question, given } = data.call;
-      const ask = await core!;
+      const ask = await core;
       const deliver = (value: never, index: number): void => post({ kind: 'delivered', value, index });
       post({ kind: 'answer', value: ask(question, given, deliver) });
     }

@@ -1,5 +1,6 @@
 // Pictures: charts as they stand on the page and leave it, and files.
 import { onResize } from './dom';
+import { hasPlot } from './library';
 import { type Drawn, stacked } from './plot';
 import { readTheme, type Theme } from './theme';
 import { say } from './words';
@@ -17,12 +18,13 @@ export function chartIn(
   show: (parts: Drawn[]) => void,
 ) {
   const update = (): void => {
+    if (!hasPlot(update)) return;
     const parts = host.clientWidth ? draw(host.clientWidth, readTheme(host), false) : [];
     if (parts.length > 0) show(parts);
   };
   const svg = (): SVGSVGElement => {
     const theme = readTheme(host);
-    const parts = draw(Math.max(WIDTH, host.clientWidth), theme, true);
+    const parts = hasPlot(update) ? draw(Math.max(WIDTH, host.clientWidth), theme, true) : [];
     if (parts.length === 0) throw new Error(say('share.nothing'));
     return stacked(parts, title, theme.background);
   };

@@ -1,7 +1,8 @@
 // Charts that Observable Plot draws: one description for the page and for the file that leaves it.
-import * as Plot from '@observablehq/plot';
+import type { Markish, Plot as Plotted } from '@observablehq/plot';
 import { cumsum, max } from 'd3-array';
 import { scaleLinear, scaleLog } from 'd3-scale';
+import { Plot } from './library';
 import { powerOfTen, prefixFor, written } from './numbers';
 import type { Look, Theme } from './theme';
 
@@ -46,10 +47,10 @@ export interface Chart {
   /** whether x has numbers and a label, and y a label above */
   bottom?: boolean;
   top?: boolean;
-  marks: Plot.Markish[];
+  marks: Markish[];
 }
 
-export type Drawn = SVGSVGElement & Plot.Plot;
+export type Drawn = SVGSVGElement & Plotted;
 
 const MARGIN = { left: 62, right: 14, top: 30, bottom: 46 };
 

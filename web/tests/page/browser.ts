@@ -50,7 +50,7 @@ export async function startSite(root = folder): Promise<Site> {
     const path = pathname.replace(/^\/some\/folder/, '').replace(/\/$/, '/index.html');
     readFile(join(root, normalize(path))).then(
       (body) => {
-        transferred.set(path, gzipSync(new Uint8Array(body)).length);
+        transferred.set(path, gzipSync(new Uint8Array(body), { level: 9 }).length);
         response.writeHead(200, { 'content-type': types[extname(path)] ?? 'text/plain' }).end(body);
       },
       () => response.writeHead(404).end());

@@ -4,7 +4,7 @@ import { createLane, type Fellow, type FromWorker, type Lane, patience, silence,
   from '../../src/core/lane';
 import { type Call, CoreError } from '../../src/core/protocol';
 
-const module = {} as WebAssembly.Module;
+const module = async (): Promise<object> => ({});
 const call = (speed: number): Call => ({ question: 'restitution', given: { speed } });
 
 /** A worker that answers when the test says so. */

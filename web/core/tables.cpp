@@ -1,0 +1,90 @@
+// What the core knows of kinds, materials, quantities and documents.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "questions.hpp"
+#include "stoss/encounter/inputs.hpp"
+#include "stoss/encounter/materials.hpp"
+#include "stoss/encounter/schema.hpp"
+#include "stoss/impact/quantities.hpp"
+#include "stoss/prediction/quantities.hpp"
+#include "stoss/restitution/quantities.hpp"
+
+namespace stoss {
+
+using Json = nlohmann::ordered_json;
+
+static void to_json(Json& json, const Parameter& of) {
+  json = {{"name", of.name}, {"unit", of.unit}, {"ofMaterial", of.of_material}, {"help", of.help}};
+  if (of.otherwise) json["otherwise"] = *of.otherwise;
+  if (std::isfinite(of.high)) json["most"] = of.high;
+}
+
+static void to_json(Json& json, const Kind& kind) {
+  json = {{"name", kind.name},
+          {"help", kind.help},
+          {"solid", !kind.wall},
+          {"bounded", kind.bounded},
+          {"canYield", kind.can_yield},
+          {"hasPlane", kind.has_plane},
+          {"fromFile", kind.from_file},
+          {"length", unit_name(Dimension::length, kind.own)},
+          {"parameters", kind.parameters},
+          {"meets", Json::array()}};
+  for (const Kind& other : kinds()) {
+    if (!other.wall && meets(kind, other)) json["meets"].push_back(other.name);
+  }
+}
+
+/// Ranges in words of what says how bodies meet, where they are the same in all units.
+static Json ranges_of_motions() {
+  Json ranges = Json::object();
+  for (const Input& each : inputs()) {
+    if (each.use(Question::oblique) && each.dimension == Dimension::none) ranges[std::string(each.name)] = each.range;
+  }
+  return ranges;
+}
+
+static void to_json(Json& json, const NamedMaterial& named) {
+  const Material& its = named.material;
+  json = {{"name", named.name}, {"young", its.young}, {"poisson", its.poisson}, {"density", its.density}};
+  json["loss_time"] = its.loss_time.value_or(0.0);
+  if (its.yield_strength) json["yield_strength"] = *its.yield_strength;
+  json["source"] = named.source;
+}
+
+namespace web {
+namespace {
+
+using emscripten::val;
+
+/// The schema of documents, of which web/plugins/documents.mjs makes their types.
+val schema(const Question&) { return val(encounter_schema()); }
+
+/// The quantities of answers with what they are, as JSON: web/plugins/kinds.mjs makes their types.
+val quantities(const Question&) {
+  Json all;
+  const auto add = [&](const auto& table) {
+    for (const auto& each : table) all[each.name] = each.help;
+  };
+  add(restitution_quantities()), add(oblique_quantities()), add(prediction_quantities());
+  add(impact_quantities()), add(oblique_ledger_quantities());
+  return val(all.dump());
+}
+
+/// The table of kinds, the named materials and ranges of inputs, as JSON: web/plugins/kinds.mjs writes them for the
+/// page.
+val kinds(const Question&) {
+  return val(Json{{"kinds", stoss::kinds()}, {"materials", named_materials()}, {"ranges", ranges_of_motions()}}.dump());
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(tables) {
+  emscripten::function("schema", &answered<schema>);
+  emscripten::function("quantities", &answered<quantities>);
+  emscripten::function("kinds", &answered<kinds>);
+}
+
+}  // namespace web
+}  // namespace stoss
