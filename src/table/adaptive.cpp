@@ -53,6 +53,7 @@ RestitutionFunction restitution_function(const ComputedRestitution& computed, do
   grid.refine("restitution_function", {share_of_interpolation * options.error}, options.most_speeds,
               [&](const std::vector<AdaptiveGrid::Place>& open) {
                 std::vector<double> speeds;
+                speeds.reserve(open.size());
                 for (const auto& place : open) speeds.push_back(range.speed(place[0]));
                 const std::vector<Estimate> found = computed(speeds);
                 for (std::size_t i = 0; i < open.size(); ++i) {

@@ -25,6 +25,7 @@ PairTable pair_table(const Mixture& mixture, double slowest, double fastest, dou
   grid.refine("pair_table", {share_of_grid * options.error}, options.most_values,
               [&](const std::vector<AdaptiveGrid::Place>& open) {
                 std::vector<Request> requests;
+                requests.reserve(open.size());
                 for (const auto& [x, z, p] : open) requests.push_back({&contacts.at(p), range.speeds.speed(x)});
                 const auto named = [&](std::size_t i) { return range.named(open[i][0], open[i][2]); };
                 const std::vector<Estimate> found =
