@@ -36,7 +36,7 @@ void add_predictions() {
   add("drop test: the computed value alone", [](benchmark::State& state) {
     double lost = 0.0;
     for (auto _ : state) {
-      const double in_c = stoss::own_speed(steel_on_steel(), drop_speed);
+      const double in_c = stoss::speed_in_c(steel_on_steel(), drop_speed);
       lost = stoss::restitution(refinable(steel_on_steel()), in_c, {.absolute = 1e-5}).lost_fraction.value;
     }
     state.counters[lost_fraction_counter] = lost;

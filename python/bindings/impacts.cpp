@@ -103,7 +103,7 @@ void bind_motion(py::module_& module) {
   def(module, "motion", {"contact", "impact", "times"},
       [](const Contact& contact, const Impact& impact, const Doubles& times) {
         const std::vector<double> at = to_vector(times);
-        return computed([&](const Poll& poll) { return Frames{motion(contact, impact, at, poll)}; });
+        return computed([&](const Poll& poll) { return Frames{frames_at(contact, impact, at, poll)}; });
       });
   def(module, "surfaces", {"encounter", "contact", "impact", "frames", "reach", "count"},
       [](const Encounter& encounter, const Contact& contact, const Impact& impact, const Frames& frames, double reach,

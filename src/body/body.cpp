@@ -40,8 +40,8 @@ void validate(const Body& body) {
   const auto& [points, cutoff, power, along_edge, fewest] = body.sampling;
   require(body, positive(points) && positive(cutoff) && finite({power, along_edge}) && along_edge >= 0.0 && fewest > 0,
           "a positive finite sampling");
-  require(body, body.part.size > 0.0 && body.part.beyond >= 0.0 && body.part.echo > 0.0,
-          "part.size and part.echo above 0, part.beyond of 0 or more");
+  require(body, body.part.size > 0.0 && body.part.mass_not_modelled >= 0.0 && body.part.echo > 0.0,
+          "part.size and part.echo above 0, part.mass_not_modelled of 0 or more");
   const double highest = kept_cutoff(body);
   for (const ModeGroup& group : body.groups) {
     require(body, group.upper.size() == group.omega.size() && group.lower.size() == group.omega.size(),
@@ -73,11 +73,11 @@ std::size_t mode_count(const Body& body) {
   return count;
 }
 
-double whole_mass(const Body& body) { return body.mass + body.part.beyond; }
+double whole_mass(const Body& body) { return body.mass + body.part.mass_not_modelled; }
 
-bool is_unbounded(const Body& body) { return std::isinf(body.part.beyond); }
+bool is_unbounded(const Body& body) { return std::isinf(body.part.mass_not_modelled); }
 
-bool is_known_at_a_point(const Body& body) { return std::isfinite(body.known.reach); }
+bool is_known_at_a_point(const Body& body) { return std::isfinite(body.known.max_cutoff_times_width); }
 
 bool is_whole(const Body& body) { return body.part.size >= 1.0 && !is_unbounded(body); }
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "check.hpp"
-#include "contact/set_ups.hpp"
+#include "contact/contact_cache.hpp"
 #include "contact/unit_ratios.hpp"
 #include "stoss/errors.hpp"
 
@@ -79,7 +79,7 @@ Contact contact(std::shared_ptr<const Body> body, const Wall& wall) {
   contact.groups = body->groups;
   contact.first_groups = body->groups.size();
   contact.first = std::move(body);
-  contact.set_ups = std::make_shared<SetUps>();
+  contact.cache = std::make_shared<ContactCache>();
   return contact;
 }
 
@@ -97,12 +97,12 @@ Contact contact(std::shared_ptr<const Body> first, std::shared_ptr<const Body> s
   add_modes(*first, UnitRatios{}, 0, contact);
   contact.first_groups = contact.groups.size();
   contact.unbounded = is_unbounded(*second);
-  contact.gives_way = second->part.gives_way;
+  contact.keeps_displacement = second->part.keeps_displacement;
   add_modes(*second, units, shape_rows(*first), contact);
   contact.first = std::move(first);
   contact.second = std::move(second);
   contact.stable_step = stable_step(contact, units);
-  contact.set_ups = std::make_shared<SetUps>();
+  contact.cache = std::make_shared<ContactCache>();
   return contact;
 }
 
@@ -118,7 +118,7 @@ std::string name(const Contact& contact) {
 
 bool has_single_point(const Contact& contact) { return contact.first->contour == Contour::flat; }
 
-double own_speed(const Contact& contact, double speed) {
+double mach_number(const Contact& contact, double speed) {
   if (contact.second == nullptr) return speed;
   const UnitRatios units = units_of(contact, 1);
   const double share = share_of_first(contact, units);

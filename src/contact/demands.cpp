@@ -18,10 +18,10 @@ double resolving_step(const Contact& contact, Tail tail, double speed) {
     return 0.25 / std::sqrt(contact.cutoff * (contact.cutoff + bounce) + 0.5 * bounce * bounce);
   }
   if (tail == Tail::radiating) {
-    return std::min(0.25 / (contact.cutoff * (1.0 + own_speed(contact, speed))), contact.stable_step);
+    return std::min(0.25 / (contact.cutoff * (1.0 + mach_number(contact, speed))), contact.stable_step);
   }
   // Without damping, the nodes at the edge of the contact bounce the more the faster it spreads.
-  return 0.2 / (contact.cutoff * (1.0 + 16.0 * own_speed(contact, speed)));
+  return 0.2 / (contact.cutoff * (1.0 + 16.0 * mach_number(contact, speed)));
 }
 
 double pushing_gap(const Contact& contact) {

@@ -12,7 +12,7 @@ double longest_duration(const Contact& contact) {
   // R/c of the slower body. An impact of disks lasts 5 to 30; that of spheres grows as v^(−1/5), to 200 at v = 1e-8.
   constexpr double usual = 200.0, of_balls = 1000.0;
   // A contact that outlasts what stands for a half-space is given up soon after.
-  if (contact.gives_way) return echo_time(contact);
+  if (contact.keeps_displacement) return echo_time(contact);
   if (contact.unbounded) return 2.0 * echo_time(contact);
   if (!touch(contact).circle) return usual * longest_time(contact);
   // Of the mass of a sphere; heavier ones take longer, as Hertz has it.
@@ -27,7 +27,7 @@ Ending ending(const Contact& contact) {
   return {.longest = longest_duration(contact),
           .known = echo_time(contact),
           .is_given_up = contact.unbounded,
-          .may_stay = contact.gives_way,
+          .may_stay = contact.keeps_displacement,
           .foreseen = longest_loss_time(contact) == 0.0 && !contact.unbounded};
 }
 

@@ -97,7 +97,7 @@ double expected_half_width(const Contact& contact, double speed) {
   }
   // Hertz in the plane, a² = 4F/π · (1/E₁ + 1/E₂)/(1/R₁ + 1/R₂), with a fit of the maximum force to the impacts of
   // tests/data/contact_hard_wall.csv.
-  const double logarithm = std::log1p(1.0 / own_speed(contact, speed));
+  const double logarithm = std::log1p(1.0 / mach_number(contact, speed));
   const double force =
       speed * std::sqrt(contact.whole_mass / whole_mass(*contact.first) / met.softness) / std::sqrt(1.0 + logarithm);
   return 2.0 * std::sqrt(force * met.softness / met.curvature);
@@ -106,7 +106,7 @@ double expected_half_width(const Contact& contact, double speed) {
 double expected_duration(const Contact& contact, double speed) {
   const Touch met = touch(contact);
   const double width = expected_half_width(contact, speed);
-  if (met.circle && contact.gives_way) {
+  if (met.circle && contact.keeps_displacement) {
     const auto [inelasticity, unit] = zener_scales(contact, speed);
     return zener_impact(inelasticity).duration * unit;
   }

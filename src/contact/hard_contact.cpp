@@ -27,7 +27,7 @@ namespace {
 
 std::shared_ptr<const SetUp> set_up(const Contact& contact, const ContactGrid& grid, ResidualMotion::Inertia inertia,
                                     double step, const Poll& poll) {
-  if (contact.set_ups != nullptr) return contact.set_ups->of(contact, grid, inertia, step, poll);
+  if (contact.cache != nullptr) return contact.cache->of(contact, grid, inertia, step, poll);
   return std::make_shared<const SetUp>(make_set_up(contact, grid, inertia, step, poll));
 }
 

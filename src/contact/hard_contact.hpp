@@ -2,10 +2,10 @@
 
 #include <vector>
 
+#include "contact/contact_cache.hpp"
 #include "contact/edge/edge_contact.hpp"
 #include "contact/residual/residuals.hpp"
 #include "contact/response.hpp"
-#include "contact/set_ups.hpp"
 
 namespace stoss {
 

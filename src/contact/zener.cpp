@@ -113,7 +113,7 @@ std::optional<double> on_a_strip(const Contact& contact, double speed, const Slo
 bool stays_unseen(const Contact& contact, double speed, double time) {
   constexpr double surely = 20.0;                    // λ of a ball that is almost thrown back no more
   constexpr double of_speed = 0.55, of_ball = 0.35;  // of κ over vR, and of κt over R²
-  if (!contact.gives_way || !(contact.second->part.mobility > 0.0)) return false;
+  if (!contact.keeps_displacement || !(contact.second->part.mobility > 0.0)) return false;
   const UnitRatios units = units_of(contact, 1);
   // κ = √(D/ρh), as giving over mobility is 4√(κ/2π), whether of a plate or of a strip of it.
   const double over = contact.second->part.giving / (4.0 * contact.second->part.mobility);
@@ -124,7 +124,7 @@ bool stays_unseen(const Contact& contact, double speed, double time) {
 
 std::optional<double> rebound_of_staying(const Contact& contact, double speed, const Slowing& before,
                                          const Slowing& now) {
-  if (!contact.gives_way || (!now.touches && now.velocity < 0.0)) return std::nullopt;
+  if (!contact.keeps_displacement || (!now.touches && now.velocity < 0.0)) return std::nullopt;
   const bool ball = contact.second->part.mobility > 0.0;
   return ball ? on_a_plate(contact, speed, before, now) : on_a_strip(contact, speed, before, now);
 }

@@ -183,7 +183,7 @@ double speed_unit(const Encounter& encounter) {
   return si ? si->speed : 1.0;
 }
 
-double own_speed(const Encounter& encounter, double speed) {
+double speed_in_c(const Encounter& encounter, double speed) {
   return in_own_units(input(Question::restitution, "speed"), speed, si_scales(encounter), unit_system(encounter));
 }
 

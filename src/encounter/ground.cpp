@@ -61,7 +61,7 @@ std::vector<half_space::ElasticLayer> layers_of(const Kind& its) {
 
 }  // namespace
 
-bool is_ground(const Solid& solid) {
+bool is_unbounded(const Solid& solid) {
   return std::visit(
       [](const auto& its) {
         using Kind = std::decay_t<decltype(its)>;

@@ -16,7 +16,7 @@ using FieldBelow = std::function<bodies::half_space::Field(std::span<const doubl
                                                            std::span<const double> node_force, const Poll& poll)>;
 
 /// Whether it is one of them.
-[[nodiscard]] bool is_ground(const Solid& solid);
+[[nodiscard]] bool is_unbounded(const Solid& solid);
 
 /// @param body that solid, and contact points and points in its unit of length
 /// @throws InvalidInput as HalfSpaceField and PlateField, and for another solid

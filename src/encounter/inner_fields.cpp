@@ -103,7 +103,7 @@ std::vector<ModeShare> mode_shares(const Contact& contact, const Impact& impact,
   }
   std::vector<ModeShare> list;
   list.reserve(times.size() * impact.energy.modes.size());
-  for (const Frame& frame : motion(contact, impact, times, poll)) {
+  for (const Frame& frame : frames_at(contact, impact, times, poll)) {
     if (poll) poll();
     const std::vector<double> energies = mode_energies(contact, frame.state);
     for (std::size_t k = 0; k < energies.size(); ++k) {

@@ -123,7 +123,7 @@ struct MakeInside {
   }
   template <typename Other>
   Inside operator()(const Other& other) const {
-    if (ground::is_ground(other)) return Block(other, rest, below, poll);
+    if (ground::is_unbounded(other)) return Block(other, rest, below, poll);
     return is_unbounded(*rest.body) ? at_rest(below.depth.size() * below.distance.size())
                                     : at_rest(points.radius.size() * points.angle.size());
   }

@@ -144,8 +144,8 @@ Values all_values(const Participant& of, std::optional<double> poisson, double r
       throw InvalidInput::missing(name, "", "a material needs it too, in " + std::string(each.unit));
     } else if (name == "poisson" && poisson) {
       all[name] = *poisson;
-    } else if (each.otherwise) {
-      all[name] = *each.otherwise;
+    } else if (each.default_value) {
+      all[name] = *each.default_value;
     } else {
       throw InvalidInput::missing(name, "a number", std::string(each.help));
     }

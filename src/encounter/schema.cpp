@@ -18,7 +18,7 @@ Json number_of(const Parameter& its) {
   if (!its.unit.empty()) schema["x-unit"] = its.unit;
   schema[its.low_included ? "minimum" : "exclusiveMinimum"] = its.low;
   if (std::isfinite(its.high)) schema["maximum"] = its.high;
-  if (its.otherwise) schema["default"] = *its.otherwise;
+  if (its.default_value) schema["default"] = *its.default_value;
   return schema;
 }
 
@@ -150,7 +150,7 @@ Json object_of(const Kind& kind, bool first) {
               {"required", {"kind"}},
               {"additionalProperties", false}};
   for (const Parameter& each : kind.parameters) {
-    if (each.otherwise || each.of_material) continue;
+    if (each.default_value || each.of_material) continue;
     if (kind.add_layer) {
       schema["oneOf"] = {{{"required", {each.name}}}, {{"required", {"layers"}}}};
     } else {

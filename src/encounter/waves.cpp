@@ -22,7 +22,7 @@ double modulus_of(const Solid& solid) {
 
 Solid ground_of(const Encounter& encounter) {
   const auto second = second_solid(encounter);
-  if (!second || !ground::is_ground(*second)) {
+  if (!second || !ground::is_unbounded(*second)) {
     throw InvalidInput::out_of_range("against", encounter.against.kind,
                                      "a half-space, a half-plane, a plate or a strip");
   }
@@ -84,7 +84,7 @@ Waves waves(const Encounter& encounter, const Impact& original, const Vibration&
   for (const double time : times)
     around.insert(around.end(), {time - again.resolution.step, time, time + again.resolution.step});
   std::sort(around.begin(), around.end());
-  const std::vector<Frame> frames = motion(meeting, again, around, poll);
+  const std::vector<Frame> frames = frames_at(meeting, again, around, poll);
   const auto at = [&](double time) {
     const auto place = std::lower_bound(around.begin(), around.end(), time);
     return frames[static_cast<std::size_t>(std::min(place, around.end() - 1) - around.begin())];

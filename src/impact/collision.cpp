@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "contact/set_ups.hpp"
+#include "contact/contact_cache.hpp"
 #include "contact/touch.hpp"
 #include "impact/free_flight.hpp"
 #include "numeric/kernels.hpp"
@@ -168,7 +168,7 @@ Impact Collision::result() const {
   impact.speed = speed_;
   impact.restitution = -velocity() / initial_velocity_;
   impact.lost_fraction = 1.0 - impact.restitution * impact.restitution;
-  history_.show(contact_, initial_velocity_, velocity(), impact);
+  history_.fill(contact_, initial_velocity_, velocity(), impact);
   impact.final_state = state();
 
   EnergyLedger& ledger = impact.energy;

@@ -117,7 +117,7 @@ double ContactHistory::impulse_time() const {
   return impulse_ > 0.0 ? (reached(1.0 - tail_of_impulse) - reached(tail_of_impulse)) * step_ : 0.0;
 }
 
-void ContactHistory::show(const Contact& contact, double velocity_before, double velocity_after, Impact& impact) const {
+void ContactHistory::fill(const Contact& contact, double velocity_before, double velocity_after, Impact& impact) const {
   impact.contact_time = contacts_ > 0 ? last_contact_ - first_contact_ : 0.0;
   impact.contacts = contacts_;
   impact.impulse_time = impulse_time();

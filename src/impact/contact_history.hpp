@@ -64,7 +64,7 @@ class ContactHistory {
 
   /// Fills times, contacts, maxima and the error of the momentum.
   /// @param velocity_before, velocity_after of the motion along the normal
-  void show(const Contact& contact, double velocity_before, double velocity_after, Impact& impact) const;
+  void fill(const Contact& contact, double velocity_before, double velocity_after, Impact& impact) const;
 
   /// Every fourth step is enough for the mean of the modes' energies, and for what is left of a vibration that decays.
   static constexpr long sampling = 4;

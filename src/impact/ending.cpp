@@ -17,7 +17,7 @@ bool Rest::ends(const Slowing& now) {
   return stays() || (!now.touches && now.velocity < 0.0);
 }
 
-void Rest::show(Impact& impact) const {
+void Rest::apply(Impact& impact) const {
   if (!stays()) return;
   impact.restitution = 0.0;
   impact.lost_fraction = 1.0;
@@ -46,7 +46,7 @@ WholeBodies::WholeBodies(const Contact& contact, const Snapshot& start)
       energy_(1.0 + start.translation * (1.0 / part_ - 1.0)),
       force_(contact.first->mass / whole_mass(*contact.first)) {}
 
-void WholeBodies::show(Snapshot& now) const {
+void WholeBodies::convert(Snapshot& now) const {
   if (part_ == 1.0) return;
   const double lost = 1.0 - now.velocity / start_.velocity;
   const double velocity = 1.0 - part_ * lost;
@@ -61,7 +61,7 @@ void WholeBodies::show(Snapshot& now) const {
   now.unresolved /= energy_;
 }
 
-void WholeBodies::show(Impact& impact) const {
+void WholeBodies::convert(Impact& impact) const {
   require_known_for(contact_, impact.contact_time);
   if (part_ == 1.0) return;
   EnergyLedger& ledger = impact.energy;

@@ -26,7 +26,7 @@ class Rest {
   [[nodiscard]] bool stays() const { return rebound_.has_value(); }
 
   /// Makes the result that of a body that stays, if it does: ε = 0, and the plate takes what it still has.
-  void show(Impact& impact) const;
+  void apply(Impact& impact) const;
 
  private:
   const Contact& contact_;
@@ -61,11 +61,11 @@ class WholeBodies {
   WholeBodies(const Contact& contact, const Snapshot& start);
 
   /// Makes an instant that of the whole bodies.
-  void show(Snapshot& now) const;
+  void convert(Snapshot& now) const;
 
   /// Makes a result that of the whole bodies; the final state remains that of the part.
   /// @throws Outlasted if the contact has lasted longer than the first echo of the part takes
-  void show(Impact& impact) const;
+  void convert(Impact& impact) const;
 
  private:
   const Contact& contact_;

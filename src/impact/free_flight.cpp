@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <utility>
 
+#include "contact/contact_cache.hpp"
 #include "contact/demands.hpp"
 #include "contact/ending.hpp"
-#include "contact/set_ups.hpp"
 #include "impact/recommended.hpp"
 #include "stoss/contact/grid.hpp"
 

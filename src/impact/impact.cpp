@@ -47,7 +47,7 @@ std::optional<Impact> run_once(const Contact& contact, double speed, const Fixed
       now.momentum = state.momentum;
       now.node_force = node_force;
     }
-    whole.show(now);
+    whole.convert(now);
     observation.observer(now);
   };
   if (observation.observer) observe();
@@ -56,8 +56,8 @@ std::optional<Impact> run_once(const Contact& contact, double speed, const Fixed
   });
   if (!rest) return std::nullopt;
   Impact result = collision.result();
-  rest->show(result);
-  whole.show(result);
+  rest->apply(result);
+  whole.convert(result);
   return result;
 }
 
@@ -81,7 +81,7 @@ Impact impact(const Contact& contact, double speed, const ImpactOptions& options
   // The observer must see one impact only, so it watches a repetition on the grid that is known to suffice.
   if (observation.observer) result = *run_once(contact, speed, resolution, options, observation, pressures);
 
-  show_inputs(contact, speed, resolution, options, result);
+  fill_inputs(contact, speed, resolution, options, result);
   return result;
 }
 

@@ -45,7 +45,7 @@ void require_resolved(double energy_error) {
                      "use a smaller step");
 }
 
-void show_inputs(const Contact& contact, double speed, const FixedResolution& resolution, const ImpactOptions& options,
+void fill_inputs(const Contact& contact, double speed, const FixedResolution& resolution, const ImpactOptions& options,
                  Impact& impact) {
   impact.contact = name(contact);
   impact.start = options.start;
@@ -107,7 +107,7 @@ double force_of_waves(const Contact& contact, double speed, double greatest) {
 double greatest_strain(const Contact& contact, double speed, Load load) {
   const bool flat = has_single_point(contact);
   if (flat) load.force = force_of_waves(contact, speed, load.force);
-  double greatest = flat ? 0.0 : own_speed(contact, speed);
+  double greatest = flat ? 0.0 : mach_number(contact, speed);
   for (int number = 0; number < 2; ++number) {
     const std::shared_ptr<const Body> body = body_of(contact, number);
     if (body == nullptr) break;

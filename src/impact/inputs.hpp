@@ -24,7 +24,7 @@ void require_every(int every);
 void require_resolved(double energy_error);
 
 /// Fills what an impact is told by, and whether it is beyond small strain.
-void show_inputs(const Contact& contact, double speed, const FixedResolution& resolution, const ImpactOptions& options,
+void fill_inputs(const Contact& contact, double speed, const FixedResolution& resolution, const ImpactOptions& options,
                  Impact& impact);
 
 /// Greatest strain of the bodies in an impact, estimated (Impact::strain).

@@ -15,7 +15,7 @@ double asked(const Sampling& sampling, double cutoff, double half_width) {
                   sampling.along_edge * cutoff * std::sqrt(half_width));
 }
 
-/// The nearest of half-widths of a fixed ratio, so that neighbouring impacts have the same grid (SetUps).
+/// The nearest of half-widths of a fixed ratio, so that neighbouring impacts have the same grid (ContactCache).
 double in_steps(const Contact& contact, double half_width) {
   constexpr double steps = 64.0;
   return contact.radius * std::exp2(std::round(steps * std::log2(half_width / contact.radius)) / steps);

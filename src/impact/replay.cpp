@@ -95,8 +95,8 @@ std::vector<double> residual_compliance(const BodyFrame& seen, const Poll& poll)
   return compliance;
 }
 
-std::vector<Frame> motion(const Contact& contact, const Impact& impact, const std::vector<double>& times,
-                          const Poll& poll) {
+std::vector<Frame> frames_at(const Contact& contact, const Impact& impact, const std::vector<double>& times,
+                             const Poll& poll) {
   require_times(times);
   if (name(contact) != impact.contact || contact.cutoff != impact.cutoff || !same_modes(contact, impact.energy.modes)) {
     throw InvalidInput::out_of_range("body", "'" + name(contact) + "'",

@@ -13,9 +13,9 @@ namespace stoss {
 
 FixedResolution fixed_resolution(const Contact& contact, double speed, const Resolution& asked) {
   require_speed(speed);
-  if (contact.unbounded && own_speed(contact, speed) > 1.0) {
+  if (contact.unbounded && mach_number(contact, speed) > 1.0) {
     throw InvalidInput::out_of_range("speed", shown(speed) + " c at so soft a body",
-                                     "up to " + shown_most(speed / own_speed(contact, speed)),
+                                     "up to " + shown_most(speed / mach_number(contact, speed)),
                                      "the wave speed of the softer body");
   }
   const auto& [step, nodes, asked_half_width, tail] = asked;

@@ -38,7 +38,7 @@ Encounter without_loss(Encounter encounter) {
 /// One impact of elastic or lossy bodies.
 Restitution computed_impact(const Encounter& encounter, double speed, double tolerance, const Poll& poll) {
   constexpr double small = 1e-5;  // error of 1 − ε², which models and constants exceed
-  return best_restitution(refinable(encounter), own_speed(encounter, speed),
+  return best_restitution(refinable(encounter), speed_in_c(encounter, speed),
                           {.tolerance = tolerance, .absolute = small, .poll = poll});
 }
 
@@ -107,7 +107,7 @@ class PredictionAtSpeed {
   /// One impact with as many nodes as the coarsest of these.
   [[nodiscard]] Impact impact_at(const Encounter& encounter, double cutoff) const {
     const FixedResolution& coarse = impact_.runs.front().resolution;
-    const double speed = own_speed(encounter, speed_);
+    const double speed = speed_in_c(encounter, speed_);
     ImpactOptions how{.poll = poll_};
     how.resolution = {.nodes = coarse.nodes, .tail = coarse.tail};
     return impact(contact_of(encounter, cutoff, speed), speed, how);
@@ -224,7 +224,7 @@ std::vector<Prediction> predict(const Encounter& encounter, const std::vector<do
   (void)prediction::variants(encounter, encounter, options);  // refuses what is no constant
   require_tolerance(options.tolerance, 0.0);
   require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
-  for (const double speed : speeds) (void)own_speed(encounter, speed);
+  for (const double speed : speeds) (void)speed_in_c(encounter, speed);
   std::vector<Prediction> made;
   made.reserve(speeds.size());
   const auto job = [&](std::size_t i, const Poll& heed) {

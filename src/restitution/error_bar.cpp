@@ -78,7 +78,7 @@ double node_error(const Contact& contact, const Run& run) {
 
 /// To a plate that takes nearly all of the energy, more of it does nothing, and where a ball stays nothing can.
 double rebound(const Contact& contact, const Run& run) {
-  return contact.gives_way ? std::pow(std::max(0.0, 1.0 - run.lost_fraction), 0.25) : 1.0;
+  return contact.keeps_displacement ? std::pow(std::max(0.0, 1.0 - run.lost_fraction), 0.25) : 1.0;
 }
 
 /// Share of the unresolved energy that is the first body's: a half-space or a plate returns nothing.
@@ -87,7 +87,7 @@ double returned(const Contact& contact) { return contact.unbounded ? unresolved_
 /// By what the loss changes with the compliance of what is met, relative to it: a half-space takes in proportion, and a
 /// plate leaves a rebound ε² = 1 − q that falls exponentially with it, as in Zener's theory.
 double sensitivity(const Contact& contact, double lost) {
-  if (!contact.gives_way) return std::abs(lost);
+  if (!contact.keeps_displacement) return std::abs(lost);
   const double left = 1.0 - lost;
   return left > 0.0 ? left * std::abs(std::log(left)) : 0.0;
 }
@@ -95,7 +95,7 @@ double sensitivity(const Contact& contact, double lost) {
 Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const std::vector<Run>& runs, double order) {
   constexpr double safety = 3.0;
   const auto missing = touch(contact).circle ? missing_of_balls : missing_on_a_line;
-  const double scale = time_scale(contact), own = own_speed(contact, speed);
+  const double scale = time_scale(contact), own = mach_number(contact, speed);
   const auto corrected = [&](const Run& run) {
     const double share = missing(run.cutoff * scale, own).share;
     return run.lost_fraction - rebound(contact, run) * returned(contact) * share * run.unresolved;
@@ -105,8 +105,8 @@ Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const s
   // At a half-space less is in doubt, as the body alone gives back; but its quadrature leaves something out. Both are
   // less on plates (docs/developer/numerics.md, section 14).
   constexpr double less = 0.5, of_a_half_space = 3e-5, of_a_plate = 3e-6, calm_on_a_plate = 0.5;
-  const double calm = contact.gives_way ? calm_on_a_plate : 1.0;
-  const double quadrature = contact.gives_way ? of_a_plate : of_a_half_space;
+  const double calm = contact.keeps_displacement ? calm_on_a_plate : 1.0;
+  const double quadrature = contact.keeps_displacement ? of_a_plate : of_a_half_space;
   const double doubt = calm * rebound(contact, last) * std::max(less, returned(contact)) * lacks.doubt;
   const bool returns = contact.unbounded && last.remaining == 0.0;  // a body that stays could have nothing more taken
   const double missed = returns ? quadrature * sensitivity(contact, last.lost_fraction) : 0.0;
@@ -187,9 +187,9 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
     return by_differences(runs, bar, order, quantity, least);
   };
   // An instant is known to half a step at either end, and so are the parts of an impulse that begins with a jump.
-  const double instants = (contact.gives_way ? 2.0 : 1.0) * last.resolution.step +
+  const double instants = (contact.keeps_displacement ? 2.0 : 1.0) * last.resolution.step +
                           (at_a_point ? blur * 2.0 * std::numbers::pi / last.cutoff : 0.0);
-  result.contact_time = estimate(contact.gives_way ? last_touch : instant, &Run::contact_time, instants);
+  result.contact_time = estimate(contact.keeps_displacement ? last_touch : instant, &Run::contact_time, instants);
   // Parts of the impulse are known to the square of the step, and three runs may agree by chance.
   const double steps = last.resolution.step / last.impulse_time;
   const double of_parts = (at_a_point ? 1.0 : squared_step * steps) * last.resolution.step;

@@ -7,7 +7,7 @@
 
 namespace stoss {
 
-/// Adds to the errors of a result what is not known of bodies of which only a point is (Knowledge): the difference that
+/// Adds to the errors of a result what is not known of bodies of which only a point is (Validity): the difference that
 /// each of their alternatives makes to the finest impact. Whether the result has converged is a matter of its runs
 /// alone.
 /// @param stretch of the contact, as RefinableContact::at
@@ -25,7 +25,7 @@ enum class Affects { both, along };
 [[nodiscard]] ImpactOptions options_of(const Contact& other, const Contact& contact, const Impact& impact,
                                        const Poll& poll);
 
-/// Adds to the errors of rules what is not known of bodies of which only a point is (Knowledge), as
+/// Adds to the errors of rules what is not known of bodies of which only a point is (Validity), as
 /// add_input_uncertainty: what each alternative changes in their finest runs, and what the motions that are taken to be
 /// apart may do to each other, twice the velocity along the surface that the normal impulse gives.
 /// @param stretch of the contact, as RefinableContact::at

@@ -11,7 +11,7 @@
 
 namespace stoss {
 
-inline constexpr double room_to_last = 1.5;  // of a half-space, over what is expected of the contact
+inline constexpr double duration_margin = 1.5;  // of a half-space, over what is expected of the contact
 
 /// A contact with a plate that lasts longer than is computed: no other cutoff would end it.
 class DoesNotEnd : public NotConverged {
@@ -38,10 +38,10 @@ class StaysUnseen : public DoesNotEnd {
 /// @param stretch of the half-space (RefinableContact::stretch); becomes greater
 /// @throws DoesNotEnd where it outlasts a plate far longer than is expected at this speed
 template <typename Compute>
-auto to_its_end(const RefinableContact& contact, double cutoff, double speed, double& stretch, const Poll& poll,
-                const Compute& compute) {
+auto retry_until_contact_ends(const RefinableContact& contact, double cutoff, double speed, double& stretch,
+                              const Poll& poll, const Compute& compute) {
   constexpr double room_on_a_plate = 8.0;  // of which what is expected is rough
-  const double longest = room_to_last * stretch / std::numbers::sqrt2;
+  const double longest = duration_margin * stretch / std::numbers::sqrt2;
   const double most = room_on_a_plate * contact.stretch(speed);
   if (const Contact& probe = contact.at(0, poll); stays_unseen(probe, speed, most * echo_time(probe))) {
     throw StaysUnseen();
@@ -51,7 +51,7 @@ auto to_its_end(const RefinableContact& contact, double cutoff, double speed, do
     try {
       return compute(resolved);
     } catch (const Outlasted&) {
-      if (resolved.gives_way) {
+      if (resolved.keeps_displacement) {
         if (stretch >= most) throw DoesNotEnd(echo_time(resolved));
       } else if (!resolved.unbounded || stretch > longest) {
         throw;

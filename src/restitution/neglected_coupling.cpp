@@ -34,7 +34,7 @@ double coarse_cutoff(const RefinableContact& contact, const Contact& probe, doub
   const int level = std::clamp(2 * octaves, lowest, highest);
   const bool second = probe.second != nullptr && is_known_at_a_point(*probe.second);
   if (!is_known_at_a_point(*probe.first) && !second) return contact.cutoff(level);
-  return contact.cutoff(std::min(level, contact.levels(speed, room_to_last, {}, Motion::oblique).highest));
+  return contact.cutoff(std::min(level, contact.levels(speed, duration_margin, {}, Directions::oblique).highest));
 }
 
 Resolution coarse_resolution(const Contact& contact, double speed) {
@@ -62,11 +62,12 @@ void NeglectedCoupling::prepare() {
   const double cutoff = coarse_cutoff(refinable_, probe, speed_);
   contact_ = &probe;
   try {
-    impacts_[0.0] = to_its_end(refinable_, cutoff, speed_, stretch, poll_, [this](const Contact& resolved) {
-      contact_ = &resolved;
-      outward_ = contact_outward(resolved, poll_);
-      return outward_impact(resolved, *outward_, speed_, 0.0, coarse_resolution(resolved, speed_), poll_);
-    });
+    impacts_[0.0] =
+        retry_until_contact_ends(refinable_, cutoff, speed_, stretch, poll_, [this](const Contact& resolved) {
+          contact_ = &resolved;
+          outward_ = contact_outward(resolved, poll_);
+          return outward_impact(resolved, *outward_, speed_, 0.0, coarse_resolution(resolved, speed_), poll_);
+        });
   } catch (const NotConverged&) {
     impacts_[0.0] = std::nullopt;
     return;

@@ -30,7 +30,7 @@ constexpr double most_without_hope = 3e9;  // of `work`, some seconds: what a ru
 
 /// Highest level at which whole bodies are computed: the near side of a disk is much less accurate along its edge.
 int highest_level_of(const RefinableContact& contact, double stretch, const Poll& poll) {
-  if (contact.at(0, poll).unbounded) return std::min(last_level, contact.highest_level(room_to_last * stretch));
+  if (contact.at(0, poll).unbounded) return std::min(last_level, contact.highest_level(duration_margin * stretch));
   return std::min(last_level, contact.highest_whole_level());
 }
 
@@ -40,7 +40,7 @@ Levels levels_of(const RefinableContact& contact, double speed, double stretch, 
   Levels levels{0, std::min(highest_level_of(contact, stretch, poll), last)};
   const bool known = !is_known_at_a_point(*probe.first) && (!probe.second || !is_known_at_a_point(*probe.second));
   if (known) return levels;
-  const Levels of_point = contact.levels(speed, room_to_last, poll, Motion::oblique);
+  const Levels of_point = contact.levels(speed, duration_margin, poll, Directions::oblique);
   const int lower = std::max(0, of_point.highest - levels.highest);
   return {of_point.lowest - lower, of_point.highest - lower};
 }
@@ -132,8 +132,9 @@ double refine(const RefinableContact& contact, const ObliqueOptions& options, st
     std::vector<ObliqueImpact> impacts;
     try {
       impacts = of_own_choice([&] {
-        return to_its_end(contact, contact.cutoff(level), speed, stretch, options.poll,
-                          [&](const Contact& resolved) { return impacts_at(resolved, level - levels.lowest); });
+        return retry_until_contact_ends(
+            contact, contact.cutoff(level), speed, stretch, options.poll,
+            [&](const Contact& resolved) { return impacts_at(resolved, level - levels.lowest); });
       });
     } catch (const DoesNotEnd& error) {
       for (ObliqueRestitution* each : open) each->reason = error.what();

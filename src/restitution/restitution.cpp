@@ -175,7 +175,7 @@ RestitutionNotConverged::RestitutionNotConverged(Restitution result)
 void validate(const RefinableContact& contact, double speed, const Vibration& vibration, const Poll& poll) {
   require_speed(speed);
   of_own_choice([&] {
-    const Levels levels = contact.levels(speed, room_to_last, poll);
+    const Levels levels = contact.levels(speed, duration_margin, poll);
     (void)approach(at_level(contact, lowest_level(contact, vibration, levels, poll), poll), speed, vibration);
   });
 }
@@ -184,7 +184,7 @@ namespace {
 
 Restitution refined(const RefinableContact& contact, double speed, const RestitutionOptions& options) {
   double stretch = contact.stretch(speed);
-  const Levels levels = contact.levels(speed, room_to_last, options.poll);
+  const Levels levels = contact.levels(speed, duration_margin, options.poll);
   const int highest = levels.highest;
   const double order = convergence_order(contact.at(0, options.poll));
   Restitution result;
@@ -209,8 +209,9 @@ Restitution refined(const RefinableContact& contact, double speed, const Restitu
         if (!options.vibration.empty()) of_one.start = approach(resolved, speed, options.vibration);
         return impact(resolved, speed, of_one);
       };
-      result.finest = of_own_choice(
-          [&] { return to_its_end(contact, contact.cutoff(level), speed, stretch, options.poll, compute); });
+      result.finest = of_own_choice([&] {
+        return retry_until_contact_ends(contact, contact.cutoff(level), speed, stretch, options.poll, compute);
+      });
       correct(correction, at_level(contact, level, options.poll), result.finest);
     } catch (const DoesNotEnd&) {
       throw;

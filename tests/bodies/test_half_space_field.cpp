@@ -137,7 +137,7 @@ TEST(HalfSpaceField, NothingRunsAheadOfThePressureWave) {
   const ContactGrid grid = contact_grid(meeting, impact.resolution.half_width, impact.resolution.nodes);
   const Medium its = medium(Contour::ball, poisson);
   for (const double time : {5.0, 12.0}) {
-    const Frame frame = motion(meeting, impact, {time}).front();
+    const Frame frame = frames_at(meeting, impact, {time}).front();
     const BodyFrame seen = seen_by(meeting, grid, frame, 1);
     const double front = its.pressure_speed * time;
     const std::vector<double> distance{0.0, 0.5 * front, front, 1.5 * front};

@@ -22,7 +22,7 @@ Field after(double time, double cutoff, const Body& second, const Inside& inside
   const Contact meeting = contact(sphere(Sphere{.poisson = 0.3}, cutoff), second);
   const Impact impact = stoss::impact(meeting, 0.1, {}, {.modes = true});
   const ContactGrid grid = contact_grid(meeting, impact.resolution.half_width, impact.resolution.nodes);
-  const BodyFrame seen = seen_by(meeting, grid, motion(meeting, impact, {time}).front(), 1);
+  const BodyFrame seen = seen_by(meeting, grid, frames_at(meeting, impact, {time}).front(), 1);
   return inside(seen.points).at(seen.coordinate, seen.node_force);
 }
 

@@ -37,7 +37,7 @@ TEST(RodField, CarriesAWaveOfConstantStressFromTheWall) {
   const Contact meeting = contact(rod(1000.0));
   constexpr double speed = 0.1, time = 0.5;
   const Impact hit = impact(meeting, speed);
-  const std::vector<Frame> frames = motion(meeting, hit, {time});
+  const std::vector<Frame> frames = frames_at(meeting, hit, {time});
   const ContactGrid grid = contact_grid(meeting, hit.resolution.half_width, hit.resolution.nodes);
   const BodyFrame seen = seen_by(meeting, grid, frames.front(), 0);
   const Field now = field(*seen.body, seen.coordinate, seen.node_force.front(), {0.0, 0.2, 0.4, 0.6, 0.8});

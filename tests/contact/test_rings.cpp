@@ -76,7 +76,7 @@ TEST(Rings, KnowTheHertzianHalfWidthOfSlowImpacts) {
   const Contact pair = contact(sphere(Sphere{0.3}, 0.5), sphere(Sphere{0.3}, 0.5));
   EXPECT_NEAR(expected_half_width(pair, 2e-4), expected_half_width(wall, 1e-4), 1e-15);
   EXPECT_NEAR(touch(pair).softness, 2.0 * 0.91, 1e-15);
-  EXPECT_NEAR(own_speed(pair, 2e-4), 1e-4, 1e-18);
+  EXPECT_NEAR(mach_number(pair, 2e-4), 1e-4, 1e-18);
   // A softer second body in other units: 1/E* = 0.91/E + 0.96/E', 1/R* = 1 + 1/2.
   const Contact mixed =
       contact(sphere(Sphere{0.3}, 0.5), sphere(Sphere{0.2, 2.0, 0.1, 3.0}, 0.5 * 2.0 * std::sqrt(30.0)));

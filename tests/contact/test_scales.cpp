@@ -58,7 +58,7 @@ TEST_P(DiskPair, HasTheModesOfBothInUnitsOfTheFirst) {
 TEST_P(DiskPair, HasScalesThatDoNotDependOnWhoIsFirst) {
   constexpr double speed = 0.1, approach = 0.05;
   const double wave = unit.length / unit.time;
-  EXPECT_NEAR(own_speed(there, speed / wave), own_speed(here, speed), 1e-14);
+  EXPECT_NEAR(mach_number(there, speed / wave), mach_number(here, speed), 1e-14);
   EXPECT_NEAR(own_compression(there, approach / unit.length), own_compression(here, approach), 1e-15);
   EXPECT_NEAR(longest_time(there) * unit.time, longest_time(here), 1e-14);
   EXPECT_NEAR(time_scale(there) * unit.time, time_scale(here), 1e-14);
@@ -72,7 +72,7 @@ TEST_P(DiskPair, HasScalesThatDoNotDependOnWhoIsFirst) {
 TEST_P(DiskPair, HasScalesThatFollowFromSizeAndMaterial) {
   const double softness = 1.0 + 1.0 / other.young;  // a common force compresses by 1/E₁ and 1/E₂
   const double of_one = 1.0 / softness, of_other = 1.0 / (other.young * softness);
-  EXPECT_NEAR(own_speed(here, 0.1), 0.1 * std::max(of_one, of_other / test::wave_speed(other)), 1e-14);
+  EXPECT_NEAR(mach_number(here, 0.1), 0.1 * std::max(of_one, of_other / test::wave_speed(other)), 1e-14);
   EXPECT_NEAR(own_compression(here, 0.05), 0.05 * std::max(of_one, of_other / other.radius), 1e-14);
   EXPECT_NEAR(longest_time(here), std::max(1.0, unit.time), 1e-14);
   EXPECT_NEAR(time_scale(here), std::sqrt(softness * unit.mass / (1.0 + unit.mass)), 1e-14);
@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(Every, DiskPair, ::testing::ValuesIn(test::other_disks)
 
 TEST(ContactScales, AreOneAtAWall) {
   const Contact wall = contact(disk(0.33, cutoff));
-  EXPECT_EQ(own_speed(wall, 0.1), 0.1);
+  EXPECT_EQ(mach_number(wall, 0.1), 0.1);
   EXPECT_EQ(own_compression(wall, 0.1), 0.1);
   EXPECT_EQ(longest_time(wall), 1.0);
   EXPECT_EQ(time_scale(wall), 1.0);
@@ -99,7 +99,7 @@ TEST(ContactScales, AreOneAtAWall) {
 TEST(ContactScales, OfEqualBodiesAreHalfOfEach) {
   const Disk one{0.33};
   const Contact equal = test::pair_of(one, one, cutoff);
-  EXPECT_EQ(own_speed(equal, 0.2), 0.1);
+  EXPECT_EQ(mach_number(equal, 0.2), 0.1);
   EXPECT_EQ(own_compression(equal, 0.2), 0.1);
   EXPECT_EQ(unresolved_share(equal), 0.5);
   EXPECT_NEAR(time_scale(equal), 1.0, 1e-15);

@@ -1,5 +1,5 @@
 // What impacts share must not be seen in them: the same bits with it and without, in any order and on any thread.
-#include "contact/set_ups.hpp"
+#include "contact/contact_cache.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,10 +21,10 @@ std::vector<Contact> contacts() {
           contact(disk(0.33)(16.0, {}), disk(0.2)(16.0, {}))};
 }
 
-TEST(SetUps, AreNotSeenInImpacts) {
+TEST(ContactCache, AreNotSeenInImpacts) {
   for (const Contact& shared : contacts()) {
     Contact alone = shared;
-    alone.set_ups = nullptr;
+    alone.cache = nullptr;
     for (const double speed : {0.1, 0.03, 0.1}) {
       const Impact with = impact(shared, speed), without = impact(alone, speed);
       EXPECT_EQ(with.restitution, without.restitution);
@@ -35,23 +35,23 @@ TEST(SetUps, AreNotSeenInImpacts) {
   }
 }
 
-TEST(SetUps, BelongToOneGridAndStep) {
+TEST(ContactCache, BelongToOneGridAndStep) {
   const Contact contact = contacts().front();
   const ContactGrid grid = contact_grid(contact, 0.4, 32), finer = contact_grid(contact, 0.4, 40);
-  const auto made = contact.set_ups->of(contact, grid, all, 0.02, {});
-  EXPECT_EQ(contact.set_ups->of(contact, grid, all, 0.02, {}), made);
-  EXPECT_NE(contact.set_ups->of(contact, grid, all, 0.01, {}), made);
-  EXPECT_NE(contact.set_ups->of(contact, finer, all, 0.02, {}), made);
-  EXPECT_NE(contact.set_ups->of(contact, grid, ResidualMotion::Inertia::none, 0.02, {}), made);
-  EXPECT_EQ(contact.set_ups->of(contact, grid, all, 0.02, {}), made);
+  const auto made = contact.cache->of(contact, grid, all, 0.02, {});
+  EXPECT_EQ(contact.cache->of(contact, grid, all, 0.02, {}), made);
+  EXPECT_NE(contact.cache->of(contact, grid, all, 0.01, {}), made);
+  EXPECT_NE(contact.cache->of(contact, finer, all, 0.02, {}), made);
+  EXPECT_NE(contact.cache->of(contact, grid, ResidualMotion::Inertia::none, 0.02, {}), made);
+  EXPECT_EQ(contact.cache->of(contact, grid, all, 0.02, {}), made);
 }
 
-TEST(SetUps, TheOldestGoFirst) {
+TEST(ContactCache, TheOldestGoFirst) {
   const Contact contact = contacts().front();
   const ContactGrid grid = contact_grid(contact, 0.4, 256);
-  const auto oldest = contact.set_ups->of(contact, grid, ResidualMotion::Inertia::none, 0.02, {});
+  const auto oldest = contact.cache->of(contact, grid, ResidualMotion::Inertia::none, 0.02, {});
   for (int other = 1; other <= 4; ++other) {
-    static_cast<void>(contact.set_ups->of(contact, grid, ResidualMotion::Inertia::none, 0.02 / (1 + other), {}));
+    static_cast<void>(contact.cache->of(contact, grid, ResidualMotion::Inertia::none, 0.02 / (1 + other), {}));
   }
   EXPECT_EQ(oldest.use_count(), 1);  // ours: 16 MB hold four of 256 nodes
 }

@@ -73,7 +73,7 @@ TEST(Encounter, InSIHasTheUnitsOfTheFirst) {
   EXPECT_DOUBLE_EQ(block.young, 1.0 / 3.0);
   EXPECT_DOUBLE_EQ(block.density, 2500.0 / 7850.0);
   EXPECT_DOUBLE_EQ(speed_unit(drop), std::sqrt(2.1e11 / 7850.0));
-  EXPECT_DOUBLE_EQ(own_speed(drop, 1.0), 1.0 / std::sqrt(2.1e11 / 7850.0));
+  EXPECT_DOUBLE_EQ(speed_in_c(drop, 1.0), 1.0 / std::sqrt(2.1e11 / 7850.0));
   EXPECT_EQ(unit_system(drop), UnitSystem::sphere_si);
 }
 
@@ -157,7 +157,7 @@ TEST(Encounter, TheLossTimeThatItNamesLosesAsMuchAsOneQuality) {
   // 2.4e-5 s of the line above, at the tolerance of the impact: 0.023853 + what rings.
   const Encounter rock = encounter_from_json(
       R"({"first":{"kind":"sphere","radius":1,"loss_time":2.4e-5,"material":"granite"},"against":"same"})");
-  const Restitution its = restitution(refinable(rock), own_speed(rock, 0.1), {.tolerance = 1e-2});
+  const Restitution its = restitution(refinable(rock), speed_in_c(rock, 0.1), {.tolerance = 1e-2});
   EXPECT_NEAR(its.lost_fraction.value, 0.023853, 0.02 * 0.023853);  // two digits of the loss time
 }
 

@@ -27,7 +27,7 @@ struct Seen {
     const Contact contact = contact_of(encounter, 10.0, 0.1);
     const Impact its = impact(contact, 0.1);
     const ContactGrid grid = contact_grid(contact, its.resolution.half_width, its.resolution.nodes);
-    const std::vector<Frame> frames = motion(contact, its, {-1.0, 0.5 * its.contact_time});
+    const std::vector<Frame> frames = frames_at(contact, its, {-1.0, 0.5 * its.contact_time});
     before = seen_by(contact, grid, frames[0], number);
     now = seen_by(contact, grid, frames[1], number);
     solid = number == 0 ? first_solid(encounter) : second_solid(encounter).value();

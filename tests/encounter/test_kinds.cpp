@@ -17,7 +17,7 @@ namespace {
 Encounter with(const Kind& its, const std::string& name, double value) {
   Participant changed{.kind = std::string(its.name)};
   for (const Parameter& each : its.parameters) {
-    if (!each.otherwise) changed.values[std::string(each.name)] = 0.25;
+    if (!each.default_value) changed.values[std::string(each.name)] = 0.25;
   }
   changed.values[name] = value;
   if (its.bounded) return {.first = changed};
@@ -54,7 +54,7 @@ TEST(Kinds, HaveMakersThatRefuse) {
   for (const Kind& its : kinds()) {
     if (its.wall || its.from_file) continue;
     Values usual;
-    for (const Parameter& each : its.parameters) usual[std::string(each.name)] = each.otherwise.value_or(0.25);
+    for (const Parameter& each : its.parameters) usual[std::string(each.name)] = each.default_value.value_or(0.25);
     EXPECT_NO_THROW((void)maker(its.solid(usual))) << its.name;
     for (const Parameter& each : its.parameters) {
       std::vector<double> wrong{std::nan(""), infinity, -infinity, -1.5};

@@ -185,18 +185,18 @@ TEST(ModalFile, StandsInADocument) {
   const Encounter encounter = encounter_from_json(document.dump());
   EXPECT_NEAR(si_scales(encounter)->length, 0.01, 1e-12);
   EXPECT_EQ(to_json(encounter_from_json(to_json(encounter))), to_json(encounter));
-  const Restitution found = restitution(refinable(encounter), own_speed(encounter, 1.0), {.tolerance = 0.1});
+  const Restitution found = restitution(refinable(encounter), speed_in_c(encounter, 1.0), {.tolerance = 0.1});
   Json with_sphere = document;
   with_sphere["first"] = {
       {"kind", "sphere"}, {"radius", 0.01}, {"material", {{"young", 210e9}, {"poisson", 0.3}, {"density", 7850}}}};
   const Encounter exact = encounter_from_json(with_sphere.dump());
-  const Restitution expected = restitution(refinable(exact), own_speed(exact, 1.0));
+  const Restitution expected = restitution(refinable(exact), speed_in_c(exact, 1.0));
   EXPECT_NEAR(found.lost_fraction.value, expected.lost_fraction.value,
               found.lost_fraction.error + expected.lost_fraction.error);
   // The other way around, in units of the other.
   std::swap(document["first"], document["against"]);
   const Encounter turned = encounter_from_json(document.dump());
-  const Restitution same = restitution(refinable(turned), own_speed(turned, 1.0), {.tolerance = 0.1});
+  const Restitution same = restitution(refinable(turned), speed_in_c(turned, 1.0), {.tolerance = 0.1});
   EXPECT_NEAR(same.lost_fraction.value, expected.lost_fraction.value,
               same.lost_fraction.error + expected.lost_fraction.error);
 }

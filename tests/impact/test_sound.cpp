@@ -27,7 +27,7 @@ std::vector<double> replayed(const Contact& contact, const Impact& impact, int n
     times.push_back(times.back() + change);
   }
   std::vector<double> place;
-  for (const Frame& frame : motion(contact, impact, times)) {
+  for (const Frame& frame : frames_at(contact, impact, times)) {
     const BodyFrame seen = seen_by(contact, grid, frame, number);
     place.push_back(seen.length * surface_displacement(seen, {.radius = 1.0, .spacing = 1e-6, .count = 1})[0]);
   }

@@ -83,7 +83,7 @@ TEST_P(States, AreReplayedBitByBit) {
   const Impact result = impact(meeting, speed, {}, {.observer = observer, .every = 9, .modes = true});
   std::vector<double> times;
   for (const Frame& frame : seen) times.push_back(frame.time);
-  const std::vector<Frame> again = motion(meeting, result, times);
+  const std::vector<Frame> again = frames_at(meeting, result, times);
   ASSERT_EQ(again.size(), seen.size());
   for (std::size_t i = 0; i < seen.size(); ++i) {
     EXPECT_EQ(again[i].time, seen[i].time);
@@ -198,7 +198,7 @@ TEST(StatesOfRods, AreReplayedWithOneNode) {
   for (const Contact& each : {contact(rod(160.0)), contact(rod(), rod(Rod{2.5, 1.0, 1.0, 1.0}), 160.0)}) {
     const Impact result = impact(each, speed);
     const double end = static_cast<double>(result.steps) * result.resolution.step;
-    const std::vector<Frame> frames = motion(each, result, {-1.0, 1.0, end + 2.0});
+    const std::vector<Frame> frames = frames_at(each, result, {-1.0, 1.0, end + 2.0});
     ASSERT_EQ(frames[1].node_force.size(), 1U);
     EXPECT_NEAR(frames[1].node_force[0], frames[1].force, 1e-15);
     const double share = each.second == nullptr ? 1.0 : 0.5;  // v Z₁Z₂/(Z₁ + Z₂)
@@ -212,8 +212,8 @@ TEST(Motion, GoesToTheNearestStep) {
   const Body body = disk(0.33, 12.5);
   const Impact result = impact(body, HardWall{}, 0.1);
   const std::vector<Frame> frames =
-      motion(contact(body), result,
-             {10.4 * result.resolution.step, 10.6 * result.resolution.step, 10.6 * result.resolution.step});
+      frames_at(contact(body), result,
+                {10.4 * result.resolution.step, 10.6 * result.resolution.step, 10.6 * result.resolution.step});
   EXPECT_DOUBLE_EQ(frames[0].time, 10.0 * result.resolution.step);
   EXPECT_DOUBLE_EQ(frames[1].time, 11.0 * result.resolution.step);
   EXPECT_DOUBLE_EQ(frames[2].time, 11.0 * result.resolution.step);
@@ -223,7 +223,7 @@ TEST(Motion, IsFreeBeforeAndAfter) {
   const Body body = disk(0.33, 12.5);
   const Impact result = impact(body, HardWall{}, 0.1);
   const double end = static_cast<double>(result.steps) * result.resolution.step;
-  const std::vector<Frame> frames = motion(contact(body), result, {-2.0, 0.0, end, end + 3.0});
+  const std::vector<Frame> frames = frames_at(contact(body), result, {-2.0, 0.0, end, end + 3.0});
   EXPECT_NEAR(frames[0].state.center, frames[1].state.center - 0.2, 1e-12);
   for (const double coordinate : frames[0].state.coordinate) EXPECT_EQ(coordinate, 0.0);
   EXPECT_EQ(frames[2].state.coordinate, result.final_state.coordinate);
@@ -234,10 +234,10 @@ TEST(Motion, IsFreeBeforeAndAfter) {
 TEST(Motion, RefusesTimesThatAreNone) {
   const Body body = disk(0.33, 12.5);
   const Impact result = impact(body, HardWall{}, 0.1);
-  test::expect_refusal([&] { (void)motion(contact(body), result, {1.0, 0.5}); }, {"time", "ascend"});
-  test::expect_refusal([&] { (void)motion(contact(body), result, {std::nan("")}); }, {"time", "nan"});
-  test::expect_refusal([&] { (void)motion(contact(body), result, {1e300}); }, {"time"});
-  EXPECT_TRUE(motion(contact(body), result, {}).empty());
+  test::expect_refusal([&] { (void)frames_at(contact(body), result, {1.0, 0.5}); }, {"time", "ascend"});
+  test::expect_refusal([&] { (void)frames_at(contact(body), result, {std::nan("")}); }, {"time", "nan"});
+  test::expect_refusal([&] { (void)frames_at(contact(body), result, {1e300}); }, {"time"});
+  EXPECT_TRUE(frames_at(contact(body), result, {}).empty());
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST_P(TouchingSurfaces, AreInOnePlace) {
   // Of the quasistatic tail the surfaces are known to rounding.
   const Impact hit = impact(meeting, speed, {.resolution = {.tail = Tail::quasistatic}});
   const ContactGrid grid = contact_grid(meeting, hit.resolution.half_width, hit.resolution.nodes);
-  const std::vector<Frame> frames = motion(meeting, hit, {0.25 * hit.contact_time, 0.5 * hit.contact_time});
+  const std::vector<Frame> frames = frames_at(meeting, hit, {0.25 * hit.contact_time, 0.5 * hit.contact_time});
   for (const Frame& frame : frames) {
     const std::vector<double> one = places(meeting, grid, frame, 0), other = places(meeting, grid, frame, 1);
     const auto touches = [](double force) { return force > 0.0; };

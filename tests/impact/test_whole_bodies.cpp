@@ -106,7 +106,7 @@ TEST(WholeBodies, ShowTheInsideOfTheSmallerOneOnly) {
   const Contact contact = with_part(0.4);
   const Impact impact = impact_of(contact);
   const ContactGrid grid = contact_grid(contact, impact.resolution.half_width, impact.resolution.nodes);
-  const Frame frame = motion(contact, impact, {4.0}).front();
+  const Frame frame = frames_at(contact, impact, {4.0}).front();
   EXPECT_EQ(seen_by(contact, grid, frame, 0).length, 1.0);
   test::expect_refusal([&] { (void)seen_by(contact, grid, frame, 1); }, {"body", "allowed 0", "near side"});
 }

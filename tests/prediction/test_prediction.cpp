@@ -41,7 +41,7 @@ TEST(Predict, WithoutModelsIsTheComputedRestitution) {
                                "loss_time": 2e-9}})";
   for (const Encounter& each : {own(R"(, "loss_time": 1e-9)"), own(R"(, "loss_time": 1e-9)", block), own("", block)}) {
     for (const Prediction& made : predict(each, {0.01, 1.0, 30.0})) {
-      const Restitution computed = restitution(refinable(each), own_speed(each, made.speed), {.absolute = 1e-5});
+      const Restitution computed = restitution(refinable(each), speed_in_c(each, made.speed), {.absolute = 1e-5});
       EXPECT_EQ(made.without_models.value, computed.restitution.value);
       EXPECT_NEAR(made.restitution.value, computed.restitution.value, 1e-9);
       EXPECT_NEAR(made.restitution.error, computed.restitution.error, 1e-8);

@@ -35,7 +35,7 @@ TEST(PredictedQuality, LossTimesStayThoseOfKelvinAndVoigt) {
   const Prediction made =
       predict(encounter_from_json(text), {0.1}, {.work_of_adhesion = 0.0, .influences = false}).front();
   const Restitution same =
-      restitution(refinable(encounter_from_json(text)), own_speed(encounter_from_json(text), 0.1), {.absolute = 1e-5});
+      restitution(refinable(encounter_from_json(text)), speed_in_c(encounter_from_json(text), 0.1), {.absolute = 1e-5});
   EXPECT_EQ(made.without_models.value, same.restitution.value);
 }
 

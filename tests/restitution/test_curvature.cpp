@@ -73,7 +73,7 @@ TEST(NearSide, MeetsTheUsualToleranceAtEveryRatio) {
   for (const Disk& second : {Disk{0.33, 46.0, 1.0, 1.0}, Disk{0.33, 1000.0, 1e-3, 1e3}, Disk{-0.5, 1000.0, 1.0, 1.0}}) {
     const RefinableContact pair = pair_of(second);
     for (const double own : {1e-8, 0.1}) {
-      const double speed = std::max(1e-8, own / own_speed(pair.at(0), 1.0));
+      const double speed = std::max(1e-8, own / mach_number(pair.at(0), 1.0));
       EXPECT_NO_THROW((void)restitution(pair, speed)) << second.radius << ' ' << second.poisson << ' ' << speed;
     }
   }

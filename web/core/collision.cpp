@@ -151,7 +151,7 @@ Collision& collision_of(const Question& asked) {
   if (!its || last != which) {
     its.reset();
     const auto meeting = asked.meeting();
-    its.emplace(meeting, own_speed(meeting->encounter, asked.number("speed")), asked.number("cutoff"));
+    its.emplace(meeting, speed_in_c(meeting->encounter, asked.number("speed")), asked.number("cutoff"));
     last = which;
   }
   return *its;

@@ -52,7 +52,7 @@ val units(const Question& asked) {
 
 /// A speed in c of the first body. @throws InvalidInput for one out of range
 val speed(const Question& asked) {
-  return val(own_speed(encounter_from_json(asked.text("document")), asked.number("speed")));
+  return val(speed_in_c(encounter_from_json(asked.text("document")), asked.number("speed")));
 }
 
 /// What a text stands for, as the command reads it. @throws InvalidInput with its name

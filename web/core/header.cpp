@@ -25,7 +25,7 @@ val header(const Question& asked) {
   const double slowest = asked.number("slowest"), fastest = asked.number("fastest");
   const double error = asked.number("error", FunctionOptions{}.error);
   const RestitutionFunction function = restitution_function(
-      meeting->contact, own_speed(meeting->encounter, slowest), own_speed(meeting->encounter, fastest),
+      meeting->contact, speed_in_c(meeting->encounter, slowest), speed_in_c(meeting->encounter, fastest),
       {.error = error, .beyond = Beyond::clamp, .threads = 1, .poll = say_alive});
   TableLabel label{.unit = meeting->unit_name(Dimension::speed), .scale = meeting->unit(Dimension::speed)};
   label.provenance = {"stoss " + std::string(stoss::version()) + ": table", name(meeting->contact.at(0)),

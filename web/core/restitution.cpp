@@ -16,7 +16,7 @@ CurveOptions options(const Question& asked) {
 val restitution(const Question& asked) {
   const auto meeting = asked.meeting();
   const double speed = asked.number("speed");
-  const std::vector<double> speeds{own_speed(meeting->encounter, speed)};
+  const std::vector<double> speeds{speed_in_c(meeting->encounter, speed)};
   const Restitution result = restitution_curve(meeting->contact, speeds, options(asked)).front();
   val quantities = val::object();
   add(quantities, *meeting, restitution_quantities(), result);
@@ -28,7 +28,7 @@ val curve(const Question& asked) {
   const auto meeting = asked.meeting();
   const std::vector<double> speeds = numbers(asked.given["speeds"]);
   std::vector<double> own;
-  for (const double speed : speeds) own.push_back(own_speed(meeting->encounter, speed));
+  for (const double speed : speeds) own.push_back(speed_in_c(meeting->encounter, speed));
   restitution_curve(meeting->contact, own, options(asked), [&](std::size_t i, const Restitution& result) {
     asked.deliver(object({{"speed", speeds[i]},
                           {"restitution", result.restitution.value},

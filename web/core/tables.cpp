@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 static void to_json(Json& json, const Parameter& of) {
   json = {{"name", of.name}, {"unit", of.unit}, {"ofMaterial", of.of_material}, {"help", of.help}};
-  if (of.otherwise) json["otherwise"] = *of.otherwise;
+  if (of.default_value) json["otherwise"] = *of.default_value;
   if (std::isfinite(of.high)) json["most"] = of.high;
 }
 

@@ -76,15 +76,16 @@ struct Sampling {
   int fewest = 64;          ///< recommended for one impact by itself
 };
 
-/// What of a body is there: all of it, or only its near side, which answers as the whole does until waves are back from
-/// where it ends (docs/theory/pairs.md).
+/// How much of a body is modelled: all of it, or only its near side, which answers as the whole does until waves are
+/// back from where it ends (docs/theory/pairs.md).
 struct BodyPart {
-  double size = 1.0;    ///< of the part, over that of the body
-  double beyond = 0.0;  ///< mass of the body that does not belong to the part: Body::mass and this are its whole mass;
-                        ///< infinite for a half-space, which has no translation: its modes alone move it
+  double size = 1.0;  ///< of the part, over that of the body
+  double mass_not_modelled =
+      0.0;  ///< mass of the body that does not belong to the part: Body::mass and this are its whole mass;
+            ///< infinite for a half-space, which has no translation: its modes alone move it
   double echo = std::numeric_limits<double>::infinity();  ///< after which the part is no longer like the body, R/c
-  bool gives_way = false;  ///< an impulse moves its surface away for good, as that of a plate
-  double mobility = 0.0;   ///< speed over a force that acts for long, where that has a limit: 1/(8√(Dρh)) of a plate
+  bool keeps_displacement = false;  ///< an impulse moves its surface away for good, as that of a plate
+  double mobility = 0.0;  ///< speed over a force that acts for long, where that has a limit: 1/(8√(Dρh)) of a plate
   double giving = 0.0;  ///< speed times √time over an impulse, long after it: 1/(2ρh √(2π√(D/ρh))) of a strip
 };
 
@@ -98,13 +99,13 @@ struct Load {
 
 struct Body;
 
-/// How far a body is known of which only a point is (ModalBody); other bodies are known as they are.
-struct Knowledge {
+/// Limits of a body that is known at one point (ModalBody); other bodies have none.
+struct Validity {
   /// Cutoff up to which all of its modes are there, c/R.
   double complete_to = std::numeric_limits<double>::infinity();
 
   /// Largest product of the cutoff and the half-width of a contact up to which its shapes follow its modes, c.
-  double reach = std::numeric_limits<double>::infinity();
+  double max_cutoff_times_width = std::numeric_limits<double>::infinity();
 
   /// What the body might be instead, by the errors of the numbers that it was made from, one for each kind of them.
   /// @param other curvature of what it meets, in its own units
@@ -113,8 +114,8 @@ struct Knowledge {
   /// The same where only its motion along the surface is another.
   std::function<std::vector<Body>(double other)> alternatives_along{};
 
-  /// `reach` of its motion along the surface.
-  double reach_along = std::numeric_limits<double>::infinity();
+  /// `max_cutoff_times_width` of its motion along the surface.
+  double max_cutoff_times_width_along = std::numeric_limits<double>::infinity();
 
   /// Velocity along the surface per impulse along the normal that its point may have in the end, 1/mass in its own
   /// units, from the modes and the turning that join both directions; a contact of a duration, R/c.
@@ -144,7 +145,7 @@ struct Body {
   Sampling sampling{};            ///< of a contact with more than a single point
   std::vector<ModeGroup> groups;  ///< kept modes
   BodyPart part;                  ///< what of the body is there
-  Knowledge known{};              ///< how far it is
+  Validity known{};               ///< how far it is
 
   std::function<Surface(const ContactPoints&)> surface;
 

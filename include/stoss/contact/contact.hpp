@@ -10,7 +10,7 @@
 
 namespace stoss {
 
-class SetUps;
+class ContactCache;
 
 /// Who meets whom, as the one system that an impact needs.
 ///
@@ -23,26 +23,26 @@ class SetUps;
 /// (docs/theory/pairs.md). Everything is in the units of the first body: R, c and, for forces, mc²/R.
 struct Contact {
   std::shared_ptr<const Body> first;
-  std::shared_ptr<const Body> second;  ///< null at a wall
-  Wall wall;                           ///< for two bodies a HardWall: they do not pass through each other
-  double mass = 0.0;                   ///< m of the first at a wall, else μ
-  double whole_mass = 0.0;             ///< the same of whole bodies, where only a part of one is there (BodyPart)
-  double extent = 0.0;                 ///< distance of the centres (or of centre and wall) at first touch
-  double cutoff = 0.0;                 ///< all modes with ω ≤ cutoff are kept; of a lossy body fewer (kept_cutoff)
-  double stable_step = 0.0;            ///< as Body::stable_step, and half the loss time more
-  std::vector<ModeGroup> groups;       ///< of the first, then of the second, every modal mass `mass`
-  std::size_t first_groups = 0;        ///< how many of them are of the first
-  bool unbounded = false;              ///< the second is a half-space: its modes only carry waves away
-  bool gives_way = false;              ///< it is a plate, whose surface an impulse moves away for good
-  double radius = 1.0;                 ///< of the circle of the contact points
-  std::shared_ptr<SetUps> set_ups;     ///< what impacts on the same grid share; may be null
+  std::shared_ptr<const Body> second;   ///< null at a wall
+  Wall wall;                            ///< for two bodies a HardWall: they do not pass through each other
+  double mass = 0.0;                    ///< m of the first at a wall, else μ
+  double whole_mass = 0.0;              ///< the same of whole bodies, where only a part of one is there (BodyPart)
+  double extent = 0.0;                  ///< distance of the centres (or of centre and wall) at first touch
+  double cutoff = 0.0;                  ///< all modes with ω ≤ cutoff are kept; of a lossy body fewer (kept_cutoff)
+  double stable_step = 0.0;             ///< as Body::stable_step, and half the loss time more
+  std::vector<ModeGroup> groups;        ///< of the first, then of the second, every modal mass `mass`
+  std::size_t first_groups = 0;         ///< how many of them are of the first
+  bool unbounded = false;               ///< the second is a half-space: its modes only carry waves away
+  bool keeps_displacement = false;      ///< it is a plate, whose surface an impulse moves away for good
+  double radius = 1.0;                  ///< of the circle of the contact points
+  std::shared_ptr<ContactCache> cache;  ///< what impacts on the same grid share; may be null
 };
 
 /// A body at a wall. @throws InvalidInput for a body or a wall that is not valid
 [[nodiscard]] Contact contact(std::shared_ptr<const Body> body, const Wall& wall = HardWall{});
 [[nodiscard]] Contact contact(Body body, const Wall& wall = HardWall{});
 
-/// Two bodies in the way of each other.
+/// Two colliding bodies.
 /// @throws InvalidInput for bodies that are not valid, contours that do not meet in a contact of known kind, and ratios
 ///         of length, speed or mass beyond what is computed
 [[nodiscard]] Contact contact(std::shared_ptr<const Body> first, std::shared_ptr<const Body> second);
@@ -77,7 +77,7 @@ struct Contact {
 
 /// The larger of the two bodies' speeds towards their common plane of contact, each in its own wave speed: it says how
 /// fast an impact is. At a wall it is `speed`, for two equal bodies half of it.
-[[nodiscard]] double own_speed(const Contact& contact, double speed);
+[[nodiscard]] double mach_number(const Contact& contact, double speed);
 
 /// Compression of the more compressed body in its own radius; the approach δ (in R of the first) is the sum of both.
 [[nodiscard]] double own_compression(const Contact& contact, double approach);

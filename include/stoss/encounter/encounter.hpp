@@ -87,7 +87,7 @@ void validate(const Encounter& encounter);
 [[nodiscard]] double speed_unit(const Encounter& encounter);
 
 /// A speed that is given, in c of the first body. @throws InvalidInput unless it is 1e-8 … 1 c
-[[nodiscard]] double own_speed(const Encounter& encounter, double speed);
+[[nodiscard]] double speed_in_c(const Encounter& encounter, double speed);
 
 /// Speed of approach at which a sphere, or what it meets, begins to yield, m/s; nothing without a yield strength.
 /// @throws InvalidInput as quasistatic::yield_speed

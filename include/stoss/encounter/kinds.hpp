@@ -18,9 +18,9 @@ namespace stoss {
 /// A number that makes something of a kind.
 struct Parameter {
   std::string_view name;
-  std::string_view unit;            ///< in SI; "" for a pure number
-  std::optional<double> otherwise;  ///< without a material, where it is not given; none: it must be given
-  double low, high;                 ///< of the range, in units of the first body
+  std::string_view unit;                ///< in SI; "" for a pure number
+  std::optional<double> default_value;  ///< without a material, where it is not given; none: it must be given
+  double low, high;                     ///< of the range, in units of the first body
   bool low_included;
   bool of_material;  ///< given by the material, where there is one
   std::string_view help;

@@ -58,7 +58,7 @@ struct BodyFrame {
 /// @param impact a result of `impact`
 /// @param times  R/c, ascending, −1e4 … 1e4
 /// @throws InvalidInput for another body, or times that do not ascend
-[[nodiscard]] std::vector<Frame> motion(const Contact& contact, const Impact& impact, const std::vector<double>& times,
-                                        const Poll& poll = {});
+[[nodiscard]] std::vector<Frame> frames_at(const Contact& contact, const Impact& impact,
+                                           const std::vector<double>& times, const Poll& poll = {});
 
 }  // namespace stoss

@@ -7,7 +7,7 @@
 namespace stoss {
 
 /// Whether only what moves along the normal has to be known, or also along the surface.
-enum class Motion { normal, oblique };
+enum class Directions { normal, oblique };
 
 /// The levels of a ladder of cutoffs that impacts can have.
 struct Levels {
@@ -37,7 +37,8 @@ class RefinableContact {
   /// of which only a point is known they end where its modes do, or where they do not move the contact as known any
   /// more, and begin not far below, perhaps at negative levels.
   /// @throws NotConverged as highest_level, and for a speed at which no cutoff is good for such a body
-  [[nodiscard]] Levels levels(double speed, double longer, const Poll& poll = {}, Motion motion = Motion::normal) const;
+  [[nodiscard]] Levels levels(double speed, double longer, const Poll& poll = {},
+                              Directions directions = Directions::normal) const;
 
   /// ω_c = 4√2 · 2^(level/4) c/R of the first body, 362 at level 24; for two bodies over their time_scale.
   [[nodiscard]] double cutoff(int level) const;

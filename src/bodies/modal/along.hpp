@@ -20,7 +20,7 @@ namespace stoss::bodies::modal {
 /// while friction outward only meets the surroundings of the point.
 [[nodiscard]] Body outward(const Body& body, const ModalBody& its, const PointModes& modes);
 
-/// Body::cross_mobility of Knowledge, from the modes that are kept; none without a tangent.
+/// Body::cross_mobility of Validity, from the modes that are kept; none without a tangent.
 [[nodiscard]] std::function<double(double duration)> cross_mobility(const ModalBody& its, const PointModes& modes);
 
 }  // namespace stoss::bodies::modal

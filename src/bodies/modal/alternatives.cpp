@@ -10,8 +10,8 @@ namespace {
 
 /// χ over φ of a Rayleigh wave of the frequency 1.
 double bend_of_waves(const ModalBody& its) {
-  const double own_speed = std::sqrt(its.young / its.density);
-  const double slowest = half_space::medium(Contour::ball, its.poisson).rayleigh_speed() * own_speed;
+  const double wave_speed = std::sqrt(its.young / its.density);
+  const double slowest = half_space::medium(Contour::ball, its.poisson).rayleigh_speed() * wave_speed;
   return -0.25 / (slowest * slowest);
 }
 

@@ -28,7 +28,7 @@ constexpr Sampling sampling{.points = 40.0, .cutoff = 32.0, .power = 0.7, .along
 /// Duration for which the quadrature of the half-space that gives V is made, own_length/c.
 constexpr double local_duration = 6.0;
 
-double own_speed(const ModalBody& body) { return std::sqrt(body.young / body.density); }
+double wave_speed(const ModalBody& body) { return std::sqrt(body.young / body.density); }
 
 Body made(const ModalBody& its, double cutoff, const Unevenness& uneven = {});
 
@@ -56,11 +56,12 @@ Body flatter_sided(Body body) {
   return body;
 }
 
-Knowledge knowledge_of(const ModalBody& its, double cutoff, const PointModes& modes) {
-  Knowledge known;
-  known.complete_to = its.complete_to * own_length(its) / own_speed(its);
-  known.reach = its.has_bends ? modal::reach : modal::reach_of_pistons;
-  known.reach_along = its.tangent && its.tangent->has_bends ? known.reach : modal::reach_of_pistons;
+Validity knowledge_of(const ModalBody& its, double cutoff, const PointModes& modes) {
+  Validity known;
+  known.complete_to = its.complete_to * own_length(its) / wave_speed(its);
+  known.max_cutoff_times_width = its.has_bends ? modal::reach : modal::reach_of_pistons;
+  known.max_cutoff_times_width_along =
+      its.tangent && its.tangent->has_bends ? known.max_cutoff_times_width : modal::reach_of_pistons;
   known.alternatives = [its, cutoff](double other) {
     std::vector<Body> all = made_all(modal::alternatives(its, other), its, cutoff);
     if (its.curvature > 0.0) all.push_back(flatter_sided(made(its, cutoff)));
@@ -88,18 +89,18 @@ void set_rigid_motion(const ModalBody& its, Body& body) {
 
 Body made(const ModalBody& its, double cutoff, const Unevenness& uneven) {
   const double length = own_length(its);
-  const PointModes modes = modal::point_modes(its, kept_cutoff(cutoff, its.loss_time * own_speed(its) / length));
+  const PointModes modes = modal::point_modes(its, kept_cutoff(cutoff, its.loss_time * wave_speed(its) / length));
   const PointSurroundings near{its.poisson, its.curvature == 0.0};
   Body body;
   body.name = its.name;
-  body.scale = {length, own_speed(its), its.mass};
+  body.scale = {length, wave_speed(its), its.mass};
   body.contour = Contour::ball;
   body.mass = modes.mass;
   body.extent = 1.0;
   body.curvature = near.plane ? 0.0 : 1.0;
   body.curvature_difference = its.curvature_difference * length;
   body.softness = 1.0 - its.poisson * its.poisson;
-  body.loss_time = its.loss_time * own_speed(its) / length;
+  body.loss_time = its.loss_time * wave_speed(its) / length;
   body.cutoff = cutoff;
   body.sampling = sampling;
   body.known = knowledge_of(its, cutoff, modes);
@@ -165,7 +166,7 @@ ModalBody in_units(const ModalBody& body, double length, double young, double de
 
 Scales scales(const ModalBody& body) {
   modal::require_body(body);
-  const double length = own_length(body), speed = own_speed(body);
+  const double length = own_length(body), speed = wave_speed(body);
   return {length, speed, length / speed, speed / length, body.mass * speed * speed / length};
 }
 

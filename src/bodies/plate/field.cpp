@@ -54,8 +54,8 @@ std::vector<Amplitude> amplitudes_of(const ModeGroup& group) {
 }  // namespace
 
 struct PlateField::Parts {
-  std::optional<half_space::HalfSpaceField> without_end;  ///< in place of all else
-  MediumSurface medium{};                                 ///< its shapes only
+  std::optional<half_space::HalfSpaceField> as_half_space;  ///< in place of all else
+  MediumSurface medium{};                                   ///< its shapes only
   std::vector<WaveProfiles> numbers{};
   std::size_t modes = 0;
   std::vector<double> ring{};  ///< distances of the contact points
@@ -78,7 +78,7 @@ PlateField::Parts::Parts(const Given& given, const Body& body, const ContactPoin
   for (const Layer& layer : given.layers) thickness += layer.thickness;
   require_points(grid, contact, thickness);
   if (is_thick(given, body.part.echo)) {
-    without_end.emplace(given.layers.front().poisson, body, contact, std::move(grid));
+    as_half_space.emplace(given.layers.front().poisson, body, contact, std::move(grid));
     return;
   }
   const Lamina plate = lamina(given.contour, sheets_of(given, body.part.echo));
@@ -130,7 +130,7 @@ PlateField::PlateField(const Strip& strip, const Body& body, const ContactPoints
 
 Field PlateField::at(std::span<const double> coordinate, std::span<const double> node_force, const Poll& poll) const {
   const Parts& its = *parts_;
-  if (its.without_end) return its.without_end->at(coordinate, node_force, poll);
+  if (its.as_half_space) return its.as_half_space->at(coordinate, node_force, poll);
   require_length("coordinate", coordinate.size(), its.modes, "one for each kept mode");
   require_length("node_force", node_force.size(), its.ring.size(), "one for each ring");
   require_finite("coordinate", coordinate, "Q of the kept modes");

@@ -100,7 +100,7 @@ Body body_along(const Body& like, const Modes& its, const Poll& poll) {
 }
 
 /// As such a plate it is a half-space.
-Body without_end(const Given& given, double cutoff, double duration, const Poll& poll) {
+Body as_half_space(const Given& given, double cutoff, double duration, const Poll& poll) {
   const Layer& its = given.layers.front();
   return given.contour == Contour::ball
              ? stoss::half_space({its.poisson, its.young, its.density, given.loss_time}, cutoff, duration, poll)
@@ -158,8 +158,8 @@ void give_way(const Given& given, BodyPart& part) {
   const double giving =
       1.0 / (2.0 * mass * std::sqrt(2.0 * std::numbers::pi * std::sqrt(stiffness / mass))) / unit / std::sqrt(unit);
   const bool ball = given.contour == Contour::ball;
-  part.gives_way = std::isnormal(ball ? mobility : giving);
-  if (!part.gives_way) return;
+  part.keeps_displacement = std::isnormal(ball ? mobility : giving);
+  if (!part.keeps_displacement) return;
   part.giving = giving;
   if (ball) part.mobility = mobility;
 }
@@ -169,7 +169,7 @@ Body made(const Given& given, double cutoff, double duration, const Poll& poll) 
   constexpr Range positive{0.0, std::numeric_limits<double>::max(), false, true, "a positive finite number"};
   require("cutoff", cutoff, positive, "highest frequency of the plate");
   require("duration", duration, positive, "longest contact with the plate");
-  Body body = is_thick(given, duration) ? without_end(given, cutoff, duration, poll)
+  Body body = is_thick(given, duration) ? as_half_space(given, cutoff, duration, poll)
                                         : of_branches(given, cutoff, duration, poll);
   body.name = name_of(given);
   if (!std::isinf(given.layers.back().thickness)) give_way(given, body.part);

@@ -161,12 +161,12 @@ ObliqueImpact CoupledCollision::result(const Rest& rest) const {
   normal.speed = frame_.speed;
   normal.restitution = -whole_velocity() / frame_.speed;
   normal.lost_fraction = 1.0 - normal.restitution * normal.restitution;
-  history_.show(contact_, frame_.speed, velocity(), normal);
+  history_.fill(contact_, frame_.speed, velocity(), normal);
   const KeptModes& even = modes_.first_block();
   normal.final_state = {compression() - contact_.extent, velocity(), even.coordinate(), even.momentum()};
   normal.max_force *= contact_.first->mass / whole_mass(*contact_.first);
   normal.energy.translation = 0.5 * frame_.mass * whole_velocity() * whole_velocity() / frame_.normal_energy;
-  rest.show(normal);
+  rest.apply(normal);
 
   ObliqueImpact result = frame_.joined(std::move(normal), obliquity_, outcome(), frame_.mass * whole_velocity());
   show_ledger(result);

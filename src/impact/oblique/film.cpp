@@ -90,12 +90,12 @@ void ObliqueFilm::show_flight(const AlongOutcome& along) {
   show_instant({along});
 }
 
-void ObliqueFilm::show(const AlongMotion& along, const std::vector<Rub>& nodes) {
+void ObliqueFilm::show(const AlongMotion& along, const std::vector<PointFriction>& nodes) {
   load(nodes);
   show_instant(along);
 }
 
-void ObliqueFilm::load(const std::vector<Rub>& nodes) {
+void ObliqueFilm::load(const std::vector<PointFriction>& nodes) {
   const std::size_t count = nodes.size();
   const double share = points_.size() > count ? 0.5 : 1.0;
   const double* force = course_.at(step_).force;

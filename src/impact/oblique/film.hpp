@@ -23,7 +23,7 @@ namespace stoss {
 void show_points(std::vector<ObliquePoint>& points, double unit, ObliqueSnapshot& now);
 
 /// What friction does at one node, as ObliquePoint has it.
-struct Rub {
+struct PointFriction {
   double friction = 0.0, slip = 0.0;
   int sliding = 0;  ///< as Friction has it
 };
@@ -44,12 +44,12 @@ class ObliqueFilm {
   [[nodiscard]] bool advance();
 
   /// Shows the instant. @param along with ways since the last flight ended
-  void show(const AlongMotion& along, const std::vector<Rub>& nodes);
+  void show(const AlongMotion& along, const std::vector<PointFriction>& nodes);
 
  private:
   void show_flight(const AlongOutcome& along);
   void show_instant(const AlongMotion& along);
-  void load(const std::vector<Rub>& nodes);
+  void load(const std::vector<PointFriction>& nodes);
   [[nodiscard]] bool wanted() const;
 
   const NormalCourse& course_;
@@ -60,7 +60,7 @@ class ObliqueFilm {
   double shift_ = 0.0;  // at the end of the last flight
   std::array<double, 2> angle_{};
   std::vector<ObliquePoint> points_;
-  std::vector<Rub> nodes_;
+  std::vector<PointFriction> nodes_;
 };
 
 /// The oblique impact without friction, and what is seen of it.

@@ -58,7 +58,7 @@ ObliqueImpact coupled_impact(const Contact& contact, const std::vector<Contact>&
   if (observation.observer) {
     result = *run_once(contact, along, frame, obliquity, resolution, options, observation);
   }
-  show_inputs(contact, speed, resolution, options, result.normal);
+  fill_inputs(contact, speed, resolution, options, result.normal);
   return result;
 }
 

@@ -64,9 +64,10 @@ RefinableContact::RefinableContact(BodyMaker first, const BodyMaker& second) : l
 namespace {
 
 /// Highest cutoff, in units of the first body, up to which bodies are known in a contact of a half-width.
-double known_cutoff(const Contact& contact, double half_width, Motion motion) {
-  const auto of = [half_width, motion](const Body& body, double length) {
-    const double reach = motion == Motion::normal ? body.known.reach : body.known.reach_along;
+double known_cutoff(const Contact& contact, double half_width, Directions directions) {
+  const auto of = [half_width, directions](const Body& body, double length) {
+    const double reach =
+        directions == Directions::normal ? body.known.max_cutoff_times_width : body.known.max_cutoff_times_width_along;
     return std::min(body.known.complete_to, reach / (half_width / length));
   };
   const double first = of(*contact.first, 1.0);
@@ -101,15 +102,15 @@ int RefinableContact::highest_level(double stretch) const {
   if (level < 0) {
     throw NotConverged("restitution: a contact that may last " + shown(std::round(size * time)) +
                        " R/c needs more waves than are computed" +
-                       (second.part.gives_way ? " (it stays on so thin a plate)" : ""));
+                       (second.part.keeps_displacement ? " (it stays on so thin a plate)" : ""));
   }
   return level;
 }
 
-Levels RefinableContact::levels(double speed, double longer, const Poll& poll, Motion motion) const {
+Levels RefinableContact::levels(double speed, double longer, const Poll& poll, Directions directions) const {
   Levels usable{0, highest_level(longer * stretch(speed))};
   const Contact& probe = at(0, poll);
-  const double half_width = expected_half_width(probe, speed), most = known_cutoff(probe, half_width, motion);
+  const double half_width = expected_half_width(probe, speed), most = known_cutoff(probe, half_width, directions);
   if (std::isinf(most)) return usable;
   while (usable.highest >= lowest_of_a_point && cutoff(usable.highest) > most) --usable.highest;
   usable.lowest = usable.highest - levels_of_a_point;

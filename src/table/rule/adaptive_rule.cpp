@@ -46,7 +46,7 @@ RuleTable made(const std::function<RefinableContact(double)>& contact, const Tab
                const RuleTableOptions& options, Normal normal) {
   require_friction(mixes(contact(range.ratios.high), options.poll), range.speeds, options);
   // Where bodies may stay, their restitution may refuse the error at once; else wide contacts refuse their speeds.
-  const bool may_stay = contact(range.ratios.high).at(0, options.poll).gives_way;
+  const bool may_stay = contact(range.ratios.high).at(0, options.poll).keeps_displacement;
   TableValues of_normal = !options.friction && may_stay ? normal() : TableValues{};
   AdaptiveRules rules(contact, range, options);
   if (!options.friction && !may_stay) of_normal = normal();

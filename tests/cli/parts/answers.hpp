@@ -26,7 +26,7 @@ struct Case {
   std::string options, document, speed;
 
   [[nodiscard]] Encounter encounter() const { return encounter_from_json(document); }
-  [[nodiscard]] double own_speed() const {
+  [[nodiscard]] double speed_in_c() const {
     const Units units = units_of(encounter());
     return in_own_units(input(Question::impact, "speed"), std::stod(speed), units.si, units.in_si);
   }

@@ -19,7 +19,7 @@ namespace {
 TEST(Answers, OfOneImpactAreThoseOfTheLibrary) {
   for (const Case& each : {ball, ringing, rigid, disk, solid_disk, rods, solid_rods, glass}) {
     SCOPED_TRACE(each.options);
-    const double speed = each.own_speed();
+    const double speed = each.speed_in_c();
     for (const bool radiating : {true, false}) {
       const auto document =
           answer("impact", each, "--cutoff 9 --speed " + each.speed + (radiating ? "" : " --tail static"));
@@ -42,7 +42,7 @@ TEST(Answers, OfRestitutionAreThoseOfTheLibrary) {
     const auto document =
         answer("restitution", each, "--tolerance 0.1 --absolute 1e-3 --threads 2 --speed " + each.speed);
     const Restitution result =
-        best_restitution(refinable(each.encounter()), each.own_speed(),
+        best_restitution(refinable(each.encounter()), each.speed_in_c(),
                          {.tolerance = 0.1, .absolute = 1e-3, .vibration = each.encounter().vibration});
     expect_all(document, 0, restitution_quantities(), result, each.encounter());
     const Json& record = document.at("records").at(0);
@@ -66,7 +66,7 @@ TEST(Answers, OfRestitutionAreToTheErrorThatWasAskedFor) {
 TEST(Answers, OfObliqueCollisionsAreThoseOfTheLibrary) {
   for (const Case& each : {ball, ringing, rigid, disk, glass}) {
     SCOPED_TRACE(each.options);
-    const double speed = each.own_speed();
+    const double speed = each.speed_in_c();
     const auto document =
         answer("oblique", each, "--tolerance 0.1 --friction 0.2 --angle 20,-60 --speed " + each.speed);
     std::vector<ObliqueCase> cases;
@@ -100,7 +100,7 @@ TEST(Answers, OfEnsemblesAreThoseOfTheLibrary) {
         answer("distribution", each, "--temperature 0.01 --samples 3 --seed 7 --error 0.01 --speed " + each.speed);
     const RefinableContact contact = refinable(each.encounter());
     const auto samples =
-        restitution_distribution(contact, each.own_speed(), thermal(contact, 0.01, usual_highest(contact)),
+        restitution_distribution(contact, each.speed_in_c(), thermal(contact, 0.01, usual_highest(contact)),
                                  {.samples = 3, .seed = 7, .error = 0.01});
     for (std::size_t i = 0; i < 3; ++i) expect_all(document, i, sample_quantities(), samples[i], each.encounter());
     const DistributionSummary all = summary(samples);
@@ -116,7 +116,7 @@ TEST(Answers, OfSequencesAreThoseOfTheLibrary) {
     const auto document =
         answer("bounce", each,
                std::string("--cutoff 6 --count 3 --flight-time ") + (si ? "0.05" : "20") + " --speed " + each.speed);
-    const double speed = each.own_speed(),
+    const double speed = each.speed_in_c(),
                  unit = si ? unit_in_si(Dimension::time, *units_of(each.encounter()).si) : 1.0;
     const Contact contact = contact_of(each.encounter(), 6.0, slowest_bounce(speed));
     const auto all = bounce(contact, speed, {.count = 3, .flight_time = si ? 0.05 / unit : 20.0});
@@ -129,7 +129,7 @@ TEST(Answers, OfPredictionsAreThoseOfTheLibrary) {
       answer("predict", glass, "--adhesion 0.1 --uncertainty young=0.2 --tolerance 0.01 --speed 0.1,1");
   std::vector<double> speeds;
   for (const char* typed : {"0.1", "1"}) {
-    speeds.push_back(Case{"", glass.document, typed}.own_speed() * speed_unit(glass.encounter()));
+    speeds.push_back(Case{"", glass.document, typed}.speed_in_c() * speed_unit(glass.encounter()));
   }
   const auto all = predict(glass.encounter(), speeds,
                            {.work_of_adhesion = 0.1, .uncertainties = {{"young", 0.2}}, .tolerance = 0.01});

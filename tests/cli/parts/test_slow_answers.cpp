@@ -30,7 +30,7 @@ TEST(Answers, OfSlowImpactsAreThoseOfTheLibrary) {
   using namespace quasistatic;
   const auto expect_rows = [](const Case& of, const std::string& law, const auto& quantities, const auto& make) {
     const auto document = answer("quasistatic", of, "--cutoff 8 --law " + law + " --speed " + of.speed + ",1e-6");
-    expect_all(document, 0, quantities, make(of.own_speed()), of.encounter());
+    expect_all(document, 0, quantities, make(of.speed_in_c()), of.encounter());
     EXPECT_EQ(document.at("inputs").at("law"), law);
   };
   const auto disk_modes = bodies::disk::modes(0.33, 8.0), strained = bodies::disk::modes(0.25 / 0.75, 8.0);

@@ -77,9 +77,9 @@ ObliqueImpact SharedNormalImpact::with(const Obliquity& obliquity, const Poll& p
       coulomb.solve(response.compliance, give, free, limit.data(), force);
     });
     if (!film.advance()) continue;
-    std::vector<Rub> rubs = motion.rubs();
-    for (std::size_t i = 0; i < nodes; ++i) rubs[i].sliding = coulomb.sliding()[i];
-    film.show(motion.motion(), rubs);
+    std::vector<PointFriction> point_friction = motion.point_friction();
+    for (std::size_t i = 0; i < nodes; ++i) point_friction[i].sliding = coulomb.sliding()[i];
+    film.show(motion.motion(), point_friction);
   }
   const AlongMotion end = motion.motion();
   film.fly(course.impact.steps, end);

@@ -92,12 +92,12 @@ void TangentialImpact::end_step(std::size_t touching) {
   rigid_.load(Eigen::Map<const Eigen::VectorXd>(friction_.data(), static_cast<Eigen::Index>(nodes)));
 }
 
-std::vector<Rub> TangentialImpact::rubs() const {
-  std::vector<Rub> rubs(at_.size());
-  for (std::size_t i = 0; i < rubs.size(); ++i) {
-    rubs[i] = {friction_[i], (place_[i] - place_before_[i]) / response_.step};
+std::vector<PointFriction> TangentialImpact::point_friction() const {
+  std::vector<PointFriction> point_friction(at_.size());
+  for (std::size_t i = 0; i < point_friction.size(); ++i) {
+    point_friction[i] = {friction_[i], (place_[i] - place_before_[i]) / response_.step};
   }
-  return rubs;
+  return point_friction;
 }
 
 AlongMotion TangentialImpact::motion() const {

@@ -62,7 +62,7 @@ class TangentialImpact {
   [[nodiscard]] AlongOutcome outcome() const;
 
   /// What friction does at each node; whether it slides is left to the law.
-  [[nodiscard]] std::vector<Rub> rubs() const;
+  [[nodiscard]] std::vector<PointFriction> point_friction() const;
 
  private:
   using Values = std::vector<double>;

@@ -65,7 +65,7 @@ struct SetUp {
 
 /// What impacts at a contact have needed last: to make it takes as long as many steps, and neighbouring speeds and the
 /// samples of an ensemble need the same. Any number of threads may ask.
-class SetUps {
+class ContactCache {
  public:
   /// The set-up of a contact, which is kept.
   [[nodiscard]] std::shared_ptr<const SetUp> of(const Contact& contact, const ContactGrid& grid,
@@ -96,7 +96,7 @@ class SetUps {
   static Grid key_of(const Contact& contact, const ContactGrid& grid, double step);
 
   static constexpr std::size_t mega = std::size_t{1} << 20U;  // bytes
-  Cache<Key, SetUp> set_ups_{16 * mega};
+  Cache<Key, SetUp> cached_{16 * mega};
   Cache<ModesKey, ModeTables> modes_{3 * mega};
 };
 
