@@ -33,7 +33,7 @@ void add_set_up(double cutoff) {
   // In addition, what the hard wall does once: W′ and its factor.
   add(with_cutoff("grid, compliance and hard wall", cutoff), [cutoff](benchmark::State& state) {
     stoss::Contact contact = stoss::contact(disk_body(cutoff));
-    contact.set_ups = nullptr;  // made anew each time
+    contact.cache = nullptr;  // made anew each time
     const double half_width = 1.25 * stoss::expected_half_width(contact, speed);
     const int nodes = stoss::fixed_resolution(contact, speed).nodes;
     for (auto _ : state) {
@@ -62,7 +62,7 @@ void add_impact(const std::string& name, const stoss::Wall& wall, double cutoff,
 void add_refined(double cutoff) {
   add(with_cutoff("hard wall, as restitution resolves it", cutoff), [cutoff](benchmark::State& state) {
     stoss::Contact contact = stoss::contact(disk_body(cutoff));
-    contact.set_ups = nullptr;  // made anew each time
+    contact.cache = nullptr;  // made anew each time
     const stoss::ImpactOptions options{.resolution = stoss::refined_resolution(contact, speed, half_width_of_contact)};
     double lost_fraction = 0.0;
     for (auto _ : state) lost_fraction = stoss::impact(contact, speed, options).lost_fraction;

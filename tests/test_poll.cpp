@@ -64,7 +64,7 @@ const std::map<std::string, Job>& jobs() {
        {150, [](const Poll& poll) { (void)make_response(contact(body()), Tail::radiating, grid(), 0.1, 0.01, poll); }}},
       {"impact", {400, [](const Poll& poll) { (void)impact(body(), HardWall{}, 0.1, {.poll = poll}); }}},
       {"motion",
-       {5000, [](const Poll& poll) { (void)motion(contact(body()), hit(), std::vector<double>(5000, 1e3), poll); }}},
+       {5000, [](const Poll& poll) { (void)frames_at(contact(body()), hit(), std::vector<double>(5000, 1e3), poll); }}},
       {"restitution",
        {400, [](const Poll& poll) { (void)restitution(disk(0.33), 0.1, {.tolerance = 1e-2, .poll = poll}); }}},
       {"points of a field",

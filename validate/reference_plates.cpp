@@ -139,12 +139,12 @@ ImpactRuns resolved_runs(const PlateCase& its, const PlateFinenesses& finenesses
   const stoss::RefinableContact contact = contact_of(its);
   const auto shorter = [](const PlateFineness& one, const PlateFineness& other) { return one.stretch < other.stretch; };
   const double most = std::max_element(finenesses.begin(), finenesses.end(), shorter)->stretch;
-  const double start = contact.stretch(its.speed), longest = most * stoss::room_to_last * start;
+  const double start = contact.stretch(its.speed), longest = most * stoss::duration_margin * start;
   const double highest = contact.cutoff(contact.highest_level(longest)), fine = finenesses.back().its.cutoff;
   const double unit = std::min(1.0 / stoss::time_scale(contact.at(0)), highest / fine);
   const auto run_at = [&](double cutoff, double longer, const auto& compute) {
     double stretch = start;
-    return stoss::to_its_end(contact, unit * cutoff, its.speed, stretch, heed, [&](const stoss::Contact&) {
+    return stoss::retry_until_contact_ends(contact, unit * cutoff, its.speed, stretch, heed, [&](const stoss::Contact&) {
       return compute(contact.at(unit * cutoff, longer * stretch, heed));
     });
   };

@@ -117,10 +117,10 @@ TEST(ModeSelection, IsAnotherBodyToLookAt) {
   last.back() = false;
   const Body some = with_modes(body, first);
   const Impact result = impact(some, soft, speed);
-  EXPECT_NO_THROW((void)motion(contact(some, soft), result, {1.0}));
-  test::expect_refusal([&] { (void)motion(contact(body, soft), result, {1.0}); }, {"body"});
+  EXPECT_NO_THROW((void)frames_at(contact(some, soft), result, {1.0}));
+  test::expect_refusal([&] { (void)frames_at(contact(body, soft), result, {1.0}); }, {"body"});
   // As many modes, and the same name, but others.
-  test::expect_refusal([&] { (void)motion(contact(with_modes(body, last), soft), result, {1.0}); }, {"body"});
+  test::expect_refusal([&] { (void)frames_at(contact(with_modes(body, last), soft), result, {1.0}); }, {"body"});
 }
 
 }  // namespace

@@ -99,8 +99,8 @@ TEST_P(States, AreReplayedBitByBit) {
 TEST_P(States, OfAnotherContactAreRefused) {
   const Impact result = impact(meeting, speed);
   const Contact wall = contact(disk(0.3, cutoff)), finer = contact(disk(one, 1.5 * cutoff));
-  test::expect_refusal([&] { (void)motion(wall, result, {0.0}); }, {"body"});
-  test::expect_refusal([&] { (void)motion(finer, result, {0.0}); }, {"body"});
+  test::expect_refusal([&] { (void)frames_at(wall, result, {0.0}); }, {"body"});
+  test::expect_refusal([&] { (void)frames_at(finer, result, {0.0}); }, {"body"});
   test::expect_refusal([&] { (void)mode_energies(finer, result.final_state); }, {"state"});
 }
 
