@@ -76,7 +76,7 @@ class Collision {
     std::vector<double> own;
     for (const double each : numbers(asked.given["times"])) own.push_back(each / unit);
     const Replayed& shown = replayed(below, own);
-    const std::vector<Frame> instants = motion(shown.contact, shown.impact, own, say_alive);
+    const std::vector<Frame> instants = frames_at(shown.contact, shown.impact, own, say_alive);
     for (std::size_t i = 0; i < instants.size(); ++i) {
       val seen = val::array();
       for (std::size_t n = 0; n < (shown.contact.second ? 2 : 1); ++n) {
