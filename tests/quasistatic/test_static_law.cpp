@@ -14,11 +14,11 @@ using namespace quasistatic;
 
 namespace {
 
-constexpr std::array<StaticLaw, 4> laws{CompressionLaw::center, CompressionLaw::diameter, PointLaw::hertz,
+constexpr std::array<StaticLaw, 4> static_laws{CompressionLaw::center, CompressionLaw::diameter, PointLaw::hertz,
                                         PointLaw::center};
 
 TEST(StaticLaw, HasEnergyMomentumAndAnEnd) {
-  for (const StaticLaw& law : laws) {
+  for (const StaticLaw& law : static_laws) {
     const double nu = 0.3, last = limit_speed(law, nu);
     EXPECT_NEAR(0.5 * last * last / compression_energy(law, nu, limit_force(law, nu)), 1.0, 1e-14);
     for (const double speed : {1e-9, 1e-3, 0.5 * last}) {
