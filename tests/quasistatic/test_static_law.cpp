@@ -15,7 +15,7 @@ using namespace quasistatic;
 namespace {
 
 constexpr std::array<StaticLaw, 4> static_laws{CompressionLaw::center, CompressionLaw::diameter, PointLaw::hertz,
-                                        PointLaw::center};
+                                               PointLaw::center};
 
 TEST(StaticLaw, HasEnergyMomentumAndAnEnd) {
   for (const StaticLaw& law : static_laws) {
