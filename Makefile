@@ -109,7 +109,7 @@ results: setup python ## the tables of docs/results/ and the figures of docs/und
 	@build/venv/bin/python studies/half_space/film.py docs/images/film.gif
 	@build/release/studies/stoss_plates docs/results/plates
 	@$(PYTHON) studies/plates/figure.py docs/results/plates docs/images
-	@build/venv/bin/python studies/plates/wave.py docs/images/plates_wave.png
+	@build/venv/bin/python studies/plates/spreading.py docs/images/plates_wave.png
 	@build/release/studies/stoss_oblique docs/results/oblique
 	@$(PYTHON) studies/oblique/figure.py docs/results/oblique docs/images
 	@$(PYTHON) studies/oblique/superball.py docs/results/oblique/superball.csv docs/images/superball.png
