@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The tests of a tier and of those before it: fast (at every commit), whole (what must hold) or long (before a release:
 # linters, all tests, those with programs of others, all of them under sanitizers, the documentation site, the
-# validation, coverage); or friends, only those with programs of others, of the groups that are named or whose inputs have changed.
+# validation, coverage); or friends, only those with programs of others, of the groups that are named or whose inputs
+# have changed.
 #   test.sh fast|whole|long [JOBS] | test.sh friends JOBS [--all] [GROUP …]
 set -euo pipefail
 tier=$1

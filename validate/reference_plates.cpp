@@ -144,9 +144,9 @@ ImpactRuns resolved_runs(const PlateCase& its, const PlateFinenesses& finenesses
   const double unit = std::min(1.0 / stoss::time_scale(contact.at(0)), highest / fine);
   const auto run_at = [&](double cutoff, double longer, const auto& compute) {
     double stretch = start;
-    return stoss::retry_until_contact_ends(contact, unit * cutoff, its.speed, stretch, heed, [&](const stoss::Contact&) {
-      return compute(contact.at(unit * cutoff, longer * stretch, heed));
-    });
+    return stoss::retry_until_contact_ends(
+        contact, unit * cutoff, its.speed, stretch, heed,
+        [&](const stoss::Contact&) { return compute(contact.at(unit * cutoff, longer * stretch, heed)); });
   };
   const double first = 0.3125 * finenesses.front().its.cutoff;
   const double width = run_at(first, 1.0, [&](const stoss::Contact& met) {

@@ -64,9 +64,6 @@ class TangentialMotion {
   /// Energy of what is there.
   [[nodiscard]] double energy() const;
 
-  /// The body of which only a part is there; 2: none.
-  [[nodiscard]] std::size_t partial() const { return part_[0] ? 0 : part_[1] ? 1 : 2; }
-
  private:
   void kick();
 
