@@ -83,7 +83,7 @@ std::string shown(double value) {
   return text;
 }
 
-std::string rounded(double value) { return std::isnan(value) ? "nan" : with_digits(value, 6); }
+std::string rounded(double value, int digits) { return std::isnan(value) ? "nan" : with_digits(value, digits); }
 
 std::string shown_least(double value) { return shown_end(value, 1.0); }
 

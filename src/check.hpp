@@ -42,8 +42,8 @@ void require_tolerance(double tolerance, double absolute);
 /// A number with ten digits, or as many as tell it from every other one: as it was given.
 [[nodiscard]] std::string shown(double value);
 
-/// A computed number, with six digits.
-[[nodiscard]] std::string rounded(double value);
+/// A computed number, with six digits or so many.
+[[nodiscard]] std::string rounded(double value, int digits = 6);
 
 /// A computed end of what is allowed, with six digits: rounded towards the inside, so that what is shown is allowed.
 [[nodiscard]] std::string shown_least(double value);

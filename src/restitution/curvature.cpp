@@ -1,12 +1,11 @@
 #include "restitution/curvature.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <vector>
 
+#include "check.hpp"
 #include "impact/recommended.hpp"
 
 namespace stoss {
@@ -80,12 +79,9 @@ double neglected(const CurvatureCorrection& correction, const Impact& impact) {
 std::string out_of_reach(const CurvatureCorrection& correction, const Restitution& result) {
   const double reachable = neglected(correction, result.finest) / std::abs(result.lost_fraction.value);
   if (reachable < result.tolerance) return {};
-  std::array<char, 32> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.2g", 1.1 * reachable);
-  return std::string(
-             "the near side of the larger body stands for it less accurately than the tolerance asks (use a "
-             "larger one, from ") +
-         text.data() + ")";
+  return "the near side of the larger body stands for it less accurately than the tolerance asks (use a larger one, "
+         "from " +
+         rounded(1.1 * reachable, 2) + ")";
 }
 
 void correct(const CurvatureCorrection& correction, const Contact& contact, Impact& impact) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "contact/touch.hpp"
+#include "restitution/ladder/climb.hpp"
 
 namespace stoss {
 namespace {
@@ -22,18 +23,6 @@ constexpr Bar rough{1.5, 4.0};       // the peak of a force that jumps about
 constexpr Bar rougher{1.0, 4.0};     // of a ball on a half-space or a plate
 constexpr Bar last_touch{1.0, 4.0};  // of a ball that a plate follows: short waves delay it
 constexpr Bar smooth{2.0, 6.0};      // what is integrated twice, or between two parts of the impulse
-
-/// Maximum difference of a quantity from the coarser runs, each scaled to what is left of it.
-template <typename Quantity>
-double spread(const std::vector<Run>& runs, double order, Quantity quantity) {
-  const Run& last = runs.back();
-  double greatest = 0.0;
-  for (const Run& run : runs) {
-    const double left = std::pow(run.cutoff / last.cutoff, order) * std::abs(quantity(run) - quantity(last));
-    greatest = std::max(greatest, left);
-  }
-  return greatest;
-}
 
 /// What 1 − ε² lacks at a cutoff, as shares of the unresolved energy.
 struct Missing {
@@ -116,16 +105,14 @@ Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const s
 
 Estimate lost_at_a_point(const std::vector<Run>& runs, double order) {
   constexpr double doubt = 0.5, safety = 6.0;
-  const auto lost = [](const Run& run) { return run.lost_fraction; };
   const Run& last = runs.back();
-  return {last.lost_fraction, std::max(doubt * last.unresolved, safety * spread(runs, order, lost))};
+  return {last.lost_fraction, std::max(doubt * last.unresolved, safety * spread(runs, order, &Run::lost_fraction))};
 }
 
 Estimate by_differences(const std::vector<Run>& runs, const Bar& bar, double highest_order, double Run::*quantity,
                         double least) {
-  const auto value = [quantity](const Run& run) { return run.*quantity; };
   const double order = std::min(bar.order, highest_order);
-  Estimate estimate{runs.back().*quantity, std::max(least, bar.safety * spread(runs, order, value))};
+  Estimate estimate{runs.back().*quantity, std::max(least, bar.safety * spread(runs, order, quantity))};
   // An error as large as the value leaves nothing of it.
   if (estimate.error >= std::abs(estimate.value)) estimate.error = unknown;
   return estimate;

@@ -1,21 +1,19 @@
 #include "restitution/oblique_errors.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "check.hpp"
 #include "impact/recommended.hpp"
+#include "restitution/ladder/climb.hpp"
 
 namespace stoss {
 namespace {
 
 constexpr double no_estimate = std::numeric_limits<double>::infinity();
-constexpr std::size_t three_runs = 3;  // two that agree by chance say nothing
 
 /// What a number of points across the contact leaves open of s′/μv: the square of their spacing, and where directions
 /// mix what it matters between which two of them the sign of friction changes.
@@ -52,27 +50,19 @@ ObliqueRun summary(const ObliqueImpact& impact) {
           .steps = impact.normal.steps};
 }
 
-/// Error of the last run by its differences from all before it, each scaled to what is left of it. That s′ changes
-/// little between three of them may be chance: where friction changes its sign it goes up and down.
-double spread(const ObliquePlan& plan, const std::vector<ObliqueRun>& runs, double ObliqueRun::*quantity) {
+/// Error of the last run by its differences from all before it. That s′ changes little between three of them may be
+/// chance: where friction changes its sign it goes up and down.
+double by_differences(const ObliquePlan& plan, const std::vector<ObliqueRun>& runs, double ObliqueRun::*quantity) {
   if (plan.unstable || runs.size() < 2) return no_estimate;
-  const ObliqueRun& last = runs.back();
-  double greatest = 0.0;
-  for (const ObliqueRun& run : runs) {
-    const double left = std::pow(run.cutoff / last.cutoff, plan.order) * std::abs(run.*quantity - last.*quantity);
-    greatest = std::max(greatest, left);
-  }
   // ε_n swings with the cutoff, whose waves it meets in another phase each time.
   const bool swings = plan.mixing && quantity == &ObliqueRun::restitution;
-  return (runs.size() > three_runs && !swings ? plan.safety : plan.of_few) * greatest;
+  return (runs.size() > fewest_runs && !swings ? plan.safety : plan.of_few) * spread(runs, plan.order, quantity);
 }
 
 /// With two digits.
 std::string rounded_up(double x) {
   const double digit = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
-  std::array<char, 32> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.2g", std::ceil(x / digit) * digit);
-  return text.data();
+  return rounded(std::ceil(x / digit) * digit, 2);
 }
 
 }  // namespace
@@ -126,12 +116,12 @@ void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution
   const auto estimate = [&](double ObliqueRun::*quantity, double before) {
     const double value = result.runs.back().*quantity;
     const double share = change == 0.0 ? 0.0 : std::abs((value - before) / change);
-    return Estimate{value, std::max(spread(plan, result.runs, quantity), share * open)};
+    return Estimate{value, std::max(by_differences(plan, result.runs, quantity), share * open)};
   };
   const Obliquity& before = result.before;
   result.restitution = {last.restitution,
-                        std::max({spread(plan, result.runs, &ObliqueRun::restitution), plan.normal / (points * points),
-                                  std::sqrt(last.normal.remaining)})};
+                        std::max({by_differences(plan, result.runs, &ObliqueRun::restitution),
+                                  plan.normal / (points * points), std::sqrt(last.normal.remaining)})};
   result.sliding_after = estimate(&ObliqueRun::sliding_after, last.sliding);
   result.tangential_after = estimate(&ObliqueRun::tangential_after, before.tangential);
   result.spin_after = estimate(&ObliqueRun::spin_after, before.spin);
@@ -139,7 +129,7 @@ void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution
   const auto share_of_energy = [&](double ObliqueRun::*quantity) {
     const ObliqueRun& run = result.runs.back();
     return Estimate{run.*quantity,
-                    spread(plan, result.runs, quantity) + std::abs(run.energy_error) + last.unsettled_heat};
+                    by_differences(plan, result.runs, quantity) + std::abs(run.energy_error) + last.unsettled_heat};
   };
   result.friction_loss = share_of_energy(&ObliqueRun::friction_loss);
   result.vibration = share_of_energy(&ObliqueRun::vibration);
@@ -149,16 +139,16 @@ void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution
                                      result.sliding_after.error / std::abs(result.sliding)};
   }
   result.converged =
-      result.runs.size() >= three_runs && result.sliding_after.error <= result.tolerance * scale_of(result);
+      result.runs.size() >= fewest_runs && result.sliding_after.error <= result.tolerance * scale_of(result);
 }
 
 bool is_out_of_reach(const ObliqueRestitution& result) {
-  return result.runs.size() >= three_runs && result.finest.unsettled_sliding > result.tolerance * scale_of(result);
+  return result.runs.size() >= fewest_runs && result.finest.unsettled_sliding > result.tolerance * scale_of(result);
 }
 
 double left_by_points(const ObliquePlan& plan, const ObliqueRestitution& result, const Contact& contact, double highest,
                       int level) {
-  if (result.runs.size() < three_runs) return 0.0;
+  if (result.runs.size() < fewest_runs) return 0.0;
   const Impact& normal = result.finest.normal;
   const double nyquist = 1.02 * nyquist_nodes(contact, normal.resolution.half_width) * highest / contact.cutoff;
   const double points = plan.points(highest * time_scale(contact), nyquist, level) * share_in_contact(normal);
@@ -168,7 +158,7 @@ double left_by_points(const ObliquePlan& plan, const ObliqueRestitution& result,
 bool is_hopeless(const ObliquePlan& plan, const ObliqueRestitution& result, double highest) {
   if (result.runs.size() < 2) return false;
   if (plan.unstable || plan.too_fine()) return true;
-  if (result.runs.size() < three_runs) return false;
+  if (result.runs.size() < fewest_runs) return false;
   const double missing = result.sliding_after.error / (result.tolerance * scale_of(result));
   return !(result.runs.back().cutoff * std::pow(missing, 1.0 / plan.order) <= highest);
 }
@@ -182,7 +172,7 @@ void mark_unconverged(const ObliquePlan& plan, ObliqueRestitution& result) {
           "values are those of the finest run)";
     } else if (is_out_of_reach(result)) {
       result.reason = "the body stays, and how it slides in the end is known no better" + way;
-    } else if (result.reason.empty() && result.runs.size() < three_runs) {
+    } else if (result.reason.empty() && result.runs.size() < fewest_runs) {
       result.reason = "no more than two cutoffs could be computed, and two that agree may do so by chance";
     } else if (result.reason.empty()) {
       result.reason =
