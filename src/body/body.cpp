@@ -36,6 +36,7 @@ void validate(const Body& body) {
   require(body, not_negative(body.mass_along), "a finite mass along its surface, or 0");
   require(body, body.highest_cutoff >= body.cutoff, "a cutoff up to its highest");
   require(body, std::isfinite(body.loss_time) && body.loss_time >= 0.0, "a loss_time of 0 or more");
+  require(body, body.loss_time == 0.0 || body.relaxation.terms.empty(), "a loss_time or a relaxation, not both");
   require(body, body.stable_step > 0.0, "a positive stable_step");
   const auto& [points, cutoff, power, along_edge, fewest] = body.sampling;
   require(body, positive(points) && positive(cutoff) && finite({power, along_edge}) && along_edge >= 0.0 && fewest > 0,
@@ -89,6 +90,7 @@ Body rigid(const Body& body) {
   Body result = body;
   result.name = "rigid " + body.name;
   result.softness = result.loss_time = 0.0;
+  result.relaxation = {};
   result.highest_cutoff = result.stable_step = std::numeric_limits<double>::infinity();
   result.groups.clear();
   result.near_side = nullptr;

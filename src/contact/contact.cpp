@@ -162,6 +162,16 @@ double loss_time(const Contact& contact, std::size_t group) {
   return contact.second->loss_time * units_of(contact, 1).time;
 }
 
+Relaxation relaxation(const Contact& contact, std::size_t group) {
+  if (group < contact.first_groups) return contact.first->relaxation;
+  return in_time(contact.second->relaxation, units_of(contact, 1).time);
+}
+
+bool loses(const Contact& contact) {
+  const auto its = [](const Body& body) { return body.loss_time > 0.0 || !body.relaxation.terms.empty(); };
+  return its(*contact.first) || (contact.second != nullptr && its(*contact.second));
+}
+
 double longest_loss_time(const Contact& contact) {
   const double first = contact.first->loss_time;
   if (contact.second == nullptr) return first;

@@ -28,7 +28,7 @@ Ending ending(const Contact& contact) {
           .known = echo_time(contact),
           .is_given_up = contact.unbounded,
           .may_stay = contact.keeps_displacement,
-          .foreseen = longest_loss_time(contact) == 0.0 && !contact.unbounded};
+          .foreseen = !loses(contact) && !contact.unbounded};
 }
 
 }  // namespace stoss

@@ -42,7 +42,7 @@ HardContact::HardContact(const Contact& contact, const ContactGrid& grid, const 
     : step_(step),
       residuals_(made.residuals),
       contact_(made.compliance, edge_law(contact, grid, speed), poll),
-      lossy_(longest_loss_time(contact) > 0.0),
+      lossy_(loses(contact)),
       first_share_(loss_share(contact)),
       position_(grid.recess.size()),
       gap_(grid.recess.size()),
@@ -57,6 +57,10 @@ double HardContact::start(double stride) const { return start_before(first_kick_
 
 double HardContact::gap(std::size_t node) const {
   return node < contact_.extent() ? contact_.gap(node) : displacement_[node] - position_[node];
+}
+
+std::array<double, 2> HardContact::relaxing_energy() const {
+  return lossy_ ? residuals_.stored() : std::array<double, 2>{};
 }
 
 double HardContact::largest_displacement() const {
@@ -101,7 +105,8 @@ std::array<double, 2> QuasistaticTail::dissipated_energy() const {
 
 double QuasistaticTail::stored_energy() const {
   if (!lossy_) return contact_.energy(force_, displacement_);
-  return residuals_.stored() + contact_.law_energy(force_);
+  const auto [first, second] = residuals_.stored();
+  return first + second + contact_.law_energy(force_);
 }
 
 double QuasistaticTail::protrusion() const { return lossy_ ? largest_displacement() : 0.0; }
@@ -144,6 +149,11 @@ std::array<double, 2> RadiatingTail::dissipated_energy() const {
   if (!lossy_) return {};
   const auto [first, second] = residuals_.dissipated();
   return {first + first_share_ * edge_work_, second + (1.0 - first_share_) * edge_work_};
+}
+
+double RadiatingTail::stored_energy() const {
+  const auto [first, second] = residuals_.stored();
+  return first + second;
 }
 
 double RadiatingTail::unresolved_energy() const {

@@ -27,6 +27,7 @@ class HardContact : public ContactResponse {
   [[nodiscard]] double gap(std::size_t node) const override;
   [[nodiscard]] double half_width() const override { return contact_.half_width(); }
   [[nodiscard]] bool overflows() const override { return contact_.extent() == force_.size(); }
+  [[nodiscard]] std::array<double, 2> relaxing_energy() const override;
   [[nodiscard]] double range() const override { return range_; }
   [[nodiscard]] double touch() const override { return touch_; }
 
@@ -58,8 +59,8 @@ class HardContact : public ContactResponse {
   double range_, touch_, first_kick_;
 };
 
-/// Hard wall, quasistatic tail: u = W f, of a lossy material W f = u + η u̇ (ResidualMotion without masses), and the
-/// edge law between f and u − x_dyn.
+/// Hard wall, quasistatic tail: u = W f, of a lossy material u = J W f (ResidualMotion without masses), and the edge
+/// law between f and u − x_dyn.
 class QuasistaticTail final : public HardContact {
  public:
   QuasistaticTail(const Contact& contact, const ContactGrid& grid, double speed, double step, const Poll& poll);
@@ -80,7 +81,7 @@ class RadiatingTail final : public HardContact {
   const std::vector<double>& advance(const std::vector<double>& position) override;
   [[nodiscard]] double unresolved_energy() const override;
   [[nodiscard]] std::array<double, 2> dissipated_energy() const override;
-  [[nodiscard]] double stored_energy() const override { return residuals_.stored(); }
+  [[nodiscard]] double stored_energy() const override;
 
   /// A released node swings back through its rest position, but never as far as it was displaced.
   [[nodiscard]] double protrusion() const override { return largest_displacement(); }

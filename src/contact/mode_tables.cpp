@@ -12,6 +12,10 @@ namespace {
 
 constexpr std::size_t lanes = numeric::kernels::lanes;
 
+Relaxation of_second(const Contact& contact) {
+  return contact.second == nullptr ? Relaxation{} : relaxation(contact, contact.groups.size());
+}
+
 }  // namespace
 
 ModeTables::ModeTables(const Contact& contact, const ContactGrid& grid, double time_step, Kicks kicks)
@@ -20,7 +24,8 @@ ModeTables::ModeTables(const Contact& contact, const ContactGrid& grid, double t
       count(mode_count(contact)),
       nodes(grid.recess.size()),
       lasting_groups(stoss::lasting_groups(contact)),
-      shapes(grid.shape) {
+      shapes(grid.shape),
+      first_groups_(contact.first_groups) {
   place_groups(contact);
   for (auto* array : {&omega, &cosine}) array->resize(begin.back(), 1.0);
   for (auto* array : {&sine, &upper, &lower}) array->resize(begin.back(), 0.0);
@@ -37,7 +42,7 @@ ModeTables::ModeTables(const Contact& contact, const ContactGrid& grid, double t
       lower[k] = group.lower[l] / std::sqrt(frequency);
     }
   }
-  if (longest_loss_time(contact) > 0.0) damp(contact, kicks);
+  if (stoss::loses(contact)) lose(contact, kicks);
   place_rows(contact);
 }
 
@@ -73,29 +78,70 @@ void ModeTables::place_rows(const Contact& contact) {
   }
 }
 
-void ModeTables::damp(const Contact& contact, Kicks kicks) {
-  velocity_cosine = cosine;
-  rate.resize(cosine.size());
-  due.resize(cosine.size());
+/// Each block has as many decays for every mode as that of its groups with the most terms.
+void ModeTables::place_decays(const Contact& contact) {
+  std::size_t all = 0;
+  for (std::size_t block = 0; block < blocks(); ++block) {
+    std::size_t count = 0;
+    for (std::size_t g = block * lanes; g < std::min((block + 1) * lanes, contact.groups.size()); ++g) {
+      if (const Rates* rates = rates_of(g)) count = std::max(count, rates->rate.size());
+    }
+    lossy.decay_begin.push_back(all);
+    lossy.decay_count.push_back(count);
+    all += (begin[block + 1] - begin[block]) * count;
+  }
+  for (auto* each : {&lossy.residue, &lossy.kept, &lossy.rate}) each->resize(all);
+}
+
+void ModeTables::lose(const Contact& contact, Kicks kicks) {
+  const std::size_t all = begin.back();
+  lossy.rates = {Rates(contact.first->relaxation), Rates(of_second(contact))};
+  lossy.velocity_cosine = cosine;
+  lossy.mode.resize(all);
+  lossy.place.resize(all);
+  lossy.jump.resize(all, 1.0);
+  lossy.speed.resize(all, 1.0);
+  lossy.due.resize(all, 0.5);
+  place_decays(contact);
   for (std::size_t g = 0; g < size.size(); ++g) {
     const double loss = loss_time(contact, g);
+    const Rates* const rates = rates_of(g);
     for (std::size_t l = 0; l < size[g]; ++l) {
       const std::size_t k = position(g, l);
-      double gamma = 0.5 * loss * omega[k] * omega[k];
+      LossyOscillator& mode = lossy.mode[k];
+      mode = rates != nullptr ? relaxing_oscillator(omega[k], *rates) : kelvin_voigt_oscillator(omega[k], loss);
       if (kicks == Kicks::weaker) {
-        const numeric::StableKicks stable = numeric::stable_kicks(omega[k], gamma, step);
-        gamma = stable.gamma;
+        const numeric::StableKicks stable = numeric::stable_kicks(omega[k], rates != nullptr ? 0.0 : mode.gamma, step);
+        if (rates == nullptr) mode.gamma = stable.gamma;
         upper[k] *= std::sqrt(stable.strength);
         lower[k] *= std::sqrt(stable.strength);
       }
-      const auto [kept, coupling, velocity] = numeric::damped_motion(omega[k], gamma, step);
-      due[k] = numeric::share_due(omega[k], gamma, step);
-      rate[k] = 2.0 * gamma * omega[k] * step;
+      const auto [kept, coupling, velocity] = numeric::damped_motion(mode.frequency, mode.gamma, step);
       cosine[k] = kept;
       sine[k] = coupling;
-      velocity_cosine[k] = velocity;
+      lossy.velocity_cosine[k] = velocity;
+      lossy.place[k] = omega[k] * mode.place;
+      lossy.jump[k] = omega[k] / mode.frequency * mode.velocity;
+      lossy.speed[k] = mode.frequency / omega[k];
+      lossy.due[k] = mode.share_due(step);
+      for (std::size_t j = 0; j < mode.rate.size(); ++j) {
+        const std::size_t at = decay(g, l, j);
+        lossy.residue[at] = omega[k] * mode.residue[j];
+        lossy.kept[at] = std::exp(-mode.rate[j] * step);
+        lossy.rate[at] = mode.rate[j] / omega[k];
+      }
     }
   }
+}
+
+std::size_t ModeTables::decay(std::size_t group, std::size_t index, std::size_t number) const {
+  const std::size_t block = group / lanes;
+  return lossy.decay_begin[block] + (index * lossy.decay_count[block] + number) * lanes + group % lanes;
+}
+
+const Rates* ModeTables::rates_of(std::size_t group) const {
+  const Rates& rates = lossy.rates[group < first_groups_ ? 0 : 1];
+  return rates.rate.empty() ? nullptr : &rates;
 }
 
 std::size_t ModeTables::position(std::size_t group, std::size_t index) const {

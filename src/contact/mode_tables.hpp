@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
+#include "relaxation/oscillator.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/contact/grid.hpp"
 
@@ -28,16 +30,29 @@ struct ModeTables {
   double step;
   std::size_t count;
   std::size_t nodes;
-  std::size_t lasting_groups;           // of bounded bodies
-  std::vector<std::size_t> size;        // modes of each group
-  std::vector<std::size_t> begin;       // of each block of groups in the arrays over modes, and the end
-  std::vector<double> omega;            // 1 where there is no mode
-  std::vector<double> cosine, sine;     // what a free step makes of a
-  std::vector<double> upper, lower;     // weights over √ω
-  std::vector<double> velocity_cosine;  // what a free step leaves of b, if any mode is damped; else empty
-  std::vector<double> rate;             // 2γωΔt of each mode: m Q̇² 2γΔt = m rate b²
-  std::vector<double> due;              // as kernels::advance_damped has it
-  std::vector<double> amplitude_of;     // of each group: Q of its body over that of the contact, √(mass/modal mass)
+  std::size_t lasting_groups;        // of bounded bodies
+  std::vector<std::size_t> size;     // modes of each group
+  std::vector<std::size_t> begin;    // of each block of groups in the arrays over modes, and the end
+  std::vector<double> omega;         // 1 where there is no mode
+  std::vector<double> cosine, sine;  // what a free step makes of a
+  std::vector<double> upper, lower;  // weights over √ω
+  /// Of a contact that loses energy, else empty: each mode by itself, and what kernels::advance_lossy takes.
+  struct Lossy {
+    std::vector<LossyOscillator> mode;
+    std::array<Rates, 2> rates{};  // of both bodies, without terms where it does not relax
+    std::vector<double> velocity_cosine, place, jump, speed, due;
+    std::vector<double> residue, kept, rate;            // of the decays
+    std::vector<std::size_t> decay_begin, decay_count;  // of each block
+  } lossy;
+  [[nodiscard]] bool loses() const { return !lossy.mode.empty(); }
+
+  /// Place of a decay in their arrays.
+  [[nodiscard]] std::size_t decay(std::size_t group, std::size_t index, std::size_t number) const;
+
+  /// The rates of the body that a group belongs to, if it relaxes; else null.
+  [[nodiscard]] const Rates* rates_of(std::size_t group) const;
+
+  std::vector<double> amplitude_of;  // of each group: Q of its body over that of the contact, √(mass/modal mass)
   struct Rows {
     std::size_t upper, lower;
   };
@@ -53,7 +68,10 @@ struct ModeTables {
  private:
   void place_groups(const Contact& contact);
   void place_rows(const Contact& contact);
-  void damp(const Contact& contact, Kicks kicks);
+  void lose(const Contact& contact, Kicks kicks);
+  void place_decays(const Contact& contact);
+
+  std::size_t first_groups_;
 };
 
 }  // namespace stoss

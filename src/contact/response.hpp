@@ -39,6 +39,9 @@ class ContactResponse {
   /// in the strain of the modes above the cutoff of lossy bodies, what the material has not yet taken.
   [[nodiscard]] virtual double stored_energy() const { return 0.0; }
 
+  /// The latter in the first and in the second body.
+  [[nodiscard]] virtual std::array<double, 2> relaxing_energy() const { return {}; }
+
   /// Energy that the modes above the cutoff have taken so far.
   [[nodiscard]] virtual double unresolved_energy() const { return 0.0; }
 

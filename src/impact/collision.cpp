@@ -25,7 +25,7 @@ Collision::Collision(const Contact& contact, const FixedResolution& resolution, 
       position_(grid.recess.size()),
       center_(contact.mass, resolution.step, speed),
       history_(resolution.step),
-      lossy_(longest_loss_time(contact) > 0.0) {
+      lossy_(loses(contact)) {
   if (start) modes_.set(start->coordinate, start->momentum);
   // The same before and after an impact, so that it can be reversed.
   const double energy_speed = start ? std::sqrt(speed * speed + 2.0 * modes_.energy() / contact.mass) : speed;
@@ -194,9 +194,9 @@ Impact Collision::result() const {
   ledger.vibration = ledger.lost_to_first + ledger.lost_to_second;
   const auto [first, second] = dissipated();
   ledger.dissipated = (first + second) / initial_energy_;
-  const double relaxing = lossy_ ? ledger.stored : 0.0, of_first = loss_share(contact_);
-  ledger.lost_to_first += first / initial_energy_ + of_first * relaxing;
-  ledger.lost_to_second += second / initial_energy_ + (1.0 - of_first) * relaxing;
+  const auto [relaxing, relaxing_second] = response_->relaxing_energy();
+  ledger.lost_to_first += (first + relaxing) / initial_energy_;
+  ledger.lost_to_second += (second + relaxing_second) / initial_energy_;
   const double share = unresolved_share(contact_);
   ledger.lost_to_first += share * ledger.unresolved;
   ledger.lost_to_second += (1.0 - share) * ledger.unresolved;

@@ -93,7 +93,7 @@ double force_of_waves(const Contact& contact, double speed, double greatest) {
   constexpr double ripple = 0.005;  // that it may have left (FlatForce)
   const double second = contact.second == nullptr ? 0.0 : 1.0 / units_of(contact, 1).impedance;
   const double first = speed / (1.0 + second);
-  return longest_loss_time(contact) > 0.0 ? first : std::max(first, (1.0 - ripple) * greatest);
+  return loses(contact) ? first : std::max(first, (1.0 - ripple) * greatest);
 }
 
 /// That of whatever is strained most:

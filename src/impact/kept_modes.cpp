@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "numeric/damped_oscillator.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -15,7 +16,8 @@ KeptModes::KeptModes(std::shared_ptr<const ModeTables> tables)
       a_(tables_->begin.back()),
       b_(tables_->begin.back()),
       energy_sum_(tables_->begin.back()),
-      lost_(tables_->rate.empty() ? 0 : tables_->blocks() * kernels::lanes),
+      decays_(tables_->lossy.kept.size()),
+      taken_(tables_->loses() ? tables_->blocks() * kernels::lanes : 0),
       push_(2 * tables_->blocks() * kernels::lanes),
       edge_(push_.size()),
       amplitude_(tables_->rows),
@@ -43,6 +45,7 @@ void KeptModes::set(const std::vector<double>& coordinate, const std::vector<dou
       const std::size_t k = tables_->position(g, l);
       a_[k] = std::sqrt(tables_->omega[k]) * (coordinate[mode] / tables_->amplitude_of[g]);
       b_[k] = momentum[mode] * tables_->amplitude_of[g] / (tables_->mass * std::sqrt(tables_->omega[k]));
+      if (tables_->loses()) b_[k] /= tables_->lossy.speed[k];  // of long standing: its decays are over
       upper += tables_->upper[k] * a_[k];
       lower += tables_->lower[k] * a_[k];
     }
@@ -59,27 +62,67 @@ void KeptModes::load(const std::vector<double>& force, std::size_t count) {
   }
 }
 
-double KeptModes::velocity(std::size_t group, std::size_t k) const {
-  return b_[k] - 0.5 * (tables_->upper[k] * push_[group] + tables_->lower[k] * push_[push_.size() / 2 + group]);
+double KeptModes::kick(std::size_t group, std::size_t k) const {
+  return tables_->upper[k] * push_[group] + tables_->lower[k] * push_[push_.size() / 2 + group];
+}
+
+double KeptModes::displacement(std::size_t group, std::size_t index) const {
+  const std::size_t k = tables_->position(group, index);
+  double sum = a_[k];
+  for (std::size_t j = 0; tables_->loses() && j < tables_->lossy.mode[k].rate.size(); ++j) {
+    sum += decays_[tables_->decay(group, index, j)];
+  }
+  return sum;
+}
+
+double KeptModes::velocity(std::size_t group, std::size_t index) const {
+  const std::size_t k = tables_->position(group, index);
+  if (!tables_->loses()) return b_[k] - 0.5 * kick(group, k);
+  return velocity_before(group, index) - 0.5 * kick(group, k);
+}
+
+double KeptModes::velocity_before(std::size_t group, std::size_t index) const {
+  const std::size_t k = tables_->position(group, index);
+  double sum = tables_->lossy.speed[k] * b_[k];
+  for (std::size_t j = 0; j < tables_->lossy.mode[k].rate.size(); ++j) {
+    const std::size_t at = tables_->decay(group, index, j);
+    sum -= tables_->lossy.rate[at] * decays_[at];
+  }
+  return sum;
 }
 
 void KeptModes::begin() {
   for (std::size_t g = 0; g < tables_->size.size(); ++g) {
     for (std::size_t l = 0; l < tables_->size[g]; ++l) {
       const std::size_t k = tables_->position(g, l);
-      b_[k] += b_[k] - velocity(g, k);
+      if (!tables_->loses()) {
+        b_[k] += b_[k] - velocity(g, l);
+        continue;
+      }
+      const double half = 0.5 * kick(g, k);
+      a_[k] += tables_->lossy.place[k] * half;
+      b_[k] += tables_->lossy.jump[k] * half;
+      for (std::size_t j = 0; j < tables_->lossy.mode[k].rate.size(); ++j) {
+        const std::size_t at = tables_->decay(g, l, j);
+        decays_[at] += tables_->lossy.residue[at] * half;
+      }
     }
-    if (!lost_.empty()) lost_[g] = -half_power(g);
+    if (tables_->loses()) taken_[g] = -half_work(g) - energy_of(g) / tables_->mass;
   }
 }
 
 void KeptModes::advance() {
-  if (tables_->velocity_cosine.empty()) {
+  if (!tables_->loses()) {
     kernels::advance(view(), tables_->begin.data(), tables_->blocks(), push_.data(), edge_.data());
-  } else {
-    kernels::advance_damped(view(), {tables_->velocity_cosine.data(), tables_->rate.data(), tables_->due.data()},
-                            tables_->begin.data(), tables_->blocks(), push_.data(), edge_.data(), lost_.data());
+    return;
   }
+  const ModeTables::Lossy& its = tables_->lossy;
+  kernels::advance_lossy(view(),
+                         {its.velocity_cosine.data(), its.place.data(), its.jump.data(), its.speed.data(),
+                          its.due.data(), tables_->omega.data()},
+                         {decays_.data(), its.residue.data(), its.kept.data(), its.rate.data(), its.decay_begin.data(),
+                          its.decay_count.data()},
+                         tables_->begin.data(), tables_->blocks(), push_.data(), edge_.data(), taken_.data());
 }
 
 KeptModes KeptModes::in_flight(std::shared_ptr<const ModeTables> steps) const {
@@ -89,7 +132,7 @@ KeptModes KeptModes::in_flight(std::shared_ptr<const ModeTables> steps) const {
   for (std::size_t g = 0; g < tables_->size.size(); ++g) {
     for (std::size_t l = 0; l < tables_->size[g]; ++l) {
       const std::size_t k = tables_->position(g, l);
-      flight.b_[k] = velocity(g, k);
+      flight.b_[k] = velocity(g, l);
     }
   }
   return flight;
@@ -107,7 +150,18 @@ void KeptModes::add_displacement(std::vector<double>& position) {
 }
 
 void KeptModes::accumulate_energy() {
-  kernels::accumulate_energy(view(), tables_->begin.data(), tables_->blocks(), push_.data(), energy_sum_.data());
+  if (decays_.empty()) {
+    kernels::accumulate_energy(view(), tables_->begin.data(), tables_->blocks(), push_.data(), energy_sum_.data());
+    return;
+  }
+  constexpr long rarely = 4;  // as it costs the square of the terms
+  if (samples_++ % rarely != 0) return;
+  for (std::size_t g = 0; g < tables_->size.size(); ++g) {
+    for (std::size_t l = 0; l < tables_->size[g]; ++l) {
+      const std::size_t k = tables_->position(g, l);
+      energy_sum_[k] += 2.0 * rarely * energy_of(g, l) / (tables_->mass * tables_->omega[k]);
+    }
+  }
 }
 
 double KeptModes::energy() const {
@@ -116,19 +170,41 @@ double KeptModes::energy() const {
   return sum;
 }
 
-double KeptModes::dissipated(std::size_t begin, std::size_t end) const {
-  double sum = 0.0;
-  for (std::size_t g = begin; g < end && !lost_.empty(); ++g) sum += lost_[g] + half_power(g);
-  return tables_->mass * sum;
+double KeptModes::energy_of(std::size_t group, std::size_t index) const {
+  const std::size_t k = tables_->position(group, index);
+  const double omega = tables_->omega[k];
+  if (!tables_->loses()) {
+    const double v = velocity(group, index);
+    return 0.5 * tables_->mass * omega * (a_[k] * a_[k] + v * v);
+  }
+  const LossyOscillator& mode = tables_->lossy.mode[k];
+  std::vector<double> decaying(mode.rate.size());
+  for (std::size_t j = 0; j < decaying.size(); ++j) decaying[j] = decays_[tables_->decay(group, index, j)];
+  // b counts omega times in velocities, as a in displacements.
+  return tables_->mass / omega *
+         mode.energy(tables_->rates_of(group), a_[k], mode.frequency * b_[k], decaying, omega * kick(group, k));
 }
 
-double KeptModes::half_power(std::size_t group) const {
+double KeptModes::energy_of(std::size_t group) const {
+  double sum = 0.0;
+  for (std::size_t l = 0; l < tables_->size[group]; ++l) sum += energy_of(group, l);
+  return sum;
+}
+
+double KeptModes::dissipated(std::size_t begin, std::size_t end) const {
+  double sum = 0.0;
+  for (std::size_t g = begin; g < end && tables_->loses(); ++g) {
+    sum -= tables_->mass * (taken_[g] + half_work(g)) + energy_of(g);
+  }
+  return sum;
+}
+
+double KeptModes::half_work(std::size_t group) const {
   double sum = 0.0;
   for (std::size_t l = 0; l < tables_->size[group]; ++l) {
     const std::size_t k = tables_->position(group, l);
-    const double kick = tables_->upper[k] * push_[group] + tables_->lower[k] * push_[push_.size() / 2 + group];
-    const double velocity = b_[k] - tables_->due[k] * kick;
-    sum += 0.5 * tables_->rate[k] * velocity * velocity;
+    const double half = 0.5 * kick(group, k);
+    sum += tables_->omega[k] * half * (velocity_before(group, l) - tables_->lossy.due[k] * half);
   }
   return sum;
 }
@@ -148,8 +224,7 @@ double KeptModes::sum_of_amplitudes(std::size_t begin, std::size_t end, Weight w
     const double lower = greatest(tables_->shapes_of[g].lower);
     for (std::size_t l = 0; l < tables_->size[g]; ++l) {
       const std::size_t k = tables_->position(g, l);
-      const double v = velocity(g, k);
-      const double amplitude = std::sqrt(a_[k] * a_[k] + v * v);
+      const double a = displacement(g, l), v = velocity(g, l), amplitude = std::sqrt(a * a + v * v);
       sum += weight(tables_->omega[k]) * amplitude *
              (std::abs(tables_->upper[k]) * upper + std::abs(tables_->lower[k]) * lower);
     }
@@ -171,9 +246,7 @@ double KeptModes::waves_later(double time) const {
     double upper = 0.0, lower = 0.0;
     for (std::size_t l = 0; l < tables_->size[g]; ++l) {
       const std::size_t k = tables_->position(g, l);
-      const double phase = tables_->omega[k] * time,
-                   gamma = tables_->rate.empty() ? 0.0 : 0.5 * tables_->rate[k] / (tables_->omega[k] * tables_->step);
-      const double moved = std::exp(-gamma * time) * (a_[k] * std::cos(phase) + velocity(g, k) * std::sin(phase));
+      const double moved = displacement_later(g, l, time);
       upper += tables_->upper[k] * moved;
       lower += tables_->lower[k] * moved;
     }
@@ -183,37 +256,56 @@ double KeptModes::waves_later(double time) const {
   return sum;
 }
 
+/// In free motion, after the half of the kick that is due.
+double KeptModes::displacement_later(std::size_t group, std::size_t index, double time) const {
+  const std::size_t k = tables_->position(group, index);
+  if (!tables_->loses()) {
+    const double phase = tables_->omega[k] * time;
+    return a_[k] * std::cos(phase) + velocity(group, index) * std::sin(phase);
+  }
+  const ModeTables::Lossy& its = tables_->lossy;
+  const double half = 0.5 * kick(group, k);
+  const auto [kept, coupling, slowed] = numeric::damped_motion(its.mode[k].frequency, its.mode[k].gamma, time);
+  double moved = (a_[k] - its.place[k] * half) * kept + (b_[k] - its.jump[k] * half) * coupling;
+  for (std::size_t j = 0; j < its.mode[k].rate.size(); ++j) {
+    const std::size_t at = tables_->decay(group, index, j);
+    moved += (decays_[at] - its.residue[at] * half) * std::exp(-its.mode[k].rate[j] * time);
+  }
+  return moved;
+}
+
 template <typename Value>
 std::vector<double> KeptModes::collect(Value value) const {
   std::vector<double> result;
   result.reserve(tables_->count);
   for (std::size_t g = 0; g < tables_->size.size(); ++g) {
-    for (std::size_t l = 0; l < tables_->size[g]; ++l) result.push_back(value(g, tables_->position(g, l)));
+    for (std::size_t l = 0; l < tables_->size[g]; ++l) result.push_back(value(g, l));
   }
   return result;
 }
 
 std::vector<double> KeptModes::coordinate() const {
-  return collect(
-      [this](std::size_t g, std::size_t k) { return tables_->amplitude_of[g] * a_[k] / std::sqrt(tables_->omega[k]); });
+  return collect([this](std::size_t g, std::size_t l) {
+    return tables_->amplitude_of[g] * displacement(g, l) / std::sqrt(tables_->omega[tables_->position(g, l)]);
+  });
 }
 
 std::vector<double> KeptModes::momentum() const {
-  return collect([this](std::size_t g, std::size_t k) {
-    return tables_->mass / tables_->amplitude_of[g] * std::sqrt(tables_->omega[k]) * velocity(g, k);
+  return collect([this](std::size_t g, std::size_t l) {
+    return tables_->mass / tables_->amplitude_of[g] * std::sqrt(tables_->omega[tables_->position(g, l)]) *
+           velocity(g, l);
   });
 }
 
 std::vector<double> KeptModes::energies() const {
-  return collect([this](std::size_t g, std::size_t k) {
-    const double v = velocity(g, k);
-    return 0.5 * tables_->mass * tables_->omega[k] * (a_[k] * a_[k] + v * v);
-  });
+  return collect([this](std::size_t g, std::size_t l) { return energy_of(g, l); });
 }
 
 std::vector<double> KeptModes::accumulated_energy() const {
-  return collect(
-      [this](std::size_t, std::size_t k) { return 0.5 * tables_->mass * tables_->omega[k] * energy_sum_[k]; });
+  return collect([this](std::size_t g, std::size_t l) {
+    const std::size_t k = tables_->position(g, l);
+    return 0.5 * tables_->mass * tables_->omega[k] * energy_sum_[k];
+  });
 }
 
 }  // namespace stoss

@@ -12,7 +12,7 @@
 namespace stoss {
 
 /// The kept modes of a contact as driven oscillators of one mass, advanced by kick and exact free motion: a = √ω Q,
-/// b = Q̇/√ω. They rotate, and those of a lossy body decay besides, at γ = ηω²/2.
+/// b = Q̇/√ω. They rotate; those of a lossy body are sums of a decaying rotation and of decays (LossyOscillator).
 ///
 /// Between two steps b is the velocity before the kick that is due, whose two halves end one step and begin the next.
 /// All that is read out (energies, momenta) is synchronous with the coordinates: half of that kick is applied.
@@ -45,11 +45,11 @@ class KeptModes {
   /// Adds each mode's energy to a running sum.
   void accumulate_energy();
 
-  /// Energy of all kept modes, Σ ½m(Q̇² + ω²Q²).
+  /// Energy of all kept modes, Σ ½m(Q̇² + ω²Q²), of bodies that relax that of their springs.
   [[nodiscard]] double energy() const;
 
-  /// Energy ∫ m 2γ Q̇² dt that the modes of some groups have lost to their material so far, by the trapezium rule in
-  /// velocities between those before and after a kick: the jumps between these would lose energy of their own.
+  /// Energy that the modes of some groups have lost to their material so far: the work of the kicks less their energy,
+  /// with velocities between those before and after a kick, as the jumps between these would lose energy of their own.
   [[nodiscard]] double dissipated(std::size_t begin, std::size_t end) const;
 
   /// Upper bound of the displacement of any node in free vibration, but for waves that run away.
@@ -73,14 +73,22 @@ class KeptModes {
   template <typename Value>
   [[nodiscard]] std::vector<double> collect(Value value) const;
   [[nodiscard]] numeric::kernels::Oscillators view();
-  [[nodiscard]] double velocity(std::size_t group, std::size_t k) const;
+  [[nodiscard]] double kick(std::size_t group, std::size_t k) const;  // that is due, of b
+  [[nodiscard]] double displacement(std::size_t group, std::size_t index) const;
+  [[nodiscard]] double displacement_later(std::size_t group, std::size_t index, double time) const;
+  [[nodiscard]] double velocity(std::size_t group, std::size_t index) const;
+  [[nodiscard]] double velocity_before(std::size_t group, std::size_t index) const;  // the kick
+  [[nodiscard]] double energy_of(std::size_t group, std::size_t index) const;
+  [[nodiscard]] double energy_of(std::size_t group) const;
   template <typename Weight>
   [[nodiscard]] double sum_of_amplitudes(std::size_t begin, std::size_t end, Weight weight) const;
-  [[nodiscard]] double half_power(std::size_t group) const;
+  [[nodiscard]] double half_work(std::size_t group) const;
 
   std::shared_ptr<const ModeTables> tables_;
   std::vector<double> a_, b_, energy_sum_;
-  std::vector<double> lost_;       // of each group in units of the mass, all but half of the present power
+  std::vector<double> decays_;     // what a lacks of the displacement, of bodies that relax
+  std::vector<double> taken_;      // by the kicks of each group in units of the mass, and less by its first energy
+  long samples_ = 0;               // of the energy
   std::vector<double> push_;       // velocity kick of a full step per unit amplitude; as kernels::advance has it
   std::vector<double> edge_;       // Σ C Q, then Σ S Q, over each group
   std::vector<double> amplitude_;  // of each shape in the motion; force on it

@@ -47,14 +47,14 @@ std::vector<double> sound(const Contact& contact, const Impact& impact, const So
   std::size_t k = 0;
   for (std::size_t g = 0; g < contact.groups.size(); ++g) {
     const bool of_body = (g < contact.first_groups) == (options.body == 0);
-    const double mass = modal_mass(contact, g), half_loss = 0.5 * loss_time(contact, g);
+    const double mass = modal_mass(contact, g);
     for (std::size_t l = 0; l < contact.groups[g].omega.size(); ++l, ++k) {
       const double omega = contact.groups[g].omega[l];
       if (!of_body || omega * options.interval >= std::numbers::pi) continue;
       if (poll) poll();
       const ModeGroup& own = body.groups[g - first];
       const double displacement = own.upper[l] * shape[own.upper_row] + own.lower[l] * shape[own.lower_row];
-      const double decay = options.quality ? 0.5 * omega / *options.quality : half_loss * omega * omega;
+      const double decay = options.quality ? 0.5 * omega / *options.quality : free_mode(contact, g, omega).gamma;
       const std::complex<double> amplitude(last.momentum[k] / mass, omega * last.coordinate[k]);
       add_partial(displacement * amplitude, omega, decay, options.interval, sum);
     }

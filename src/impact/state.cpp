@@ -55,12 +55,14 @@ State free_motion(const Contact& contact, const State& state, double time) {
   moved.center += state.velocity * time;
   std::size_t k = 0;
   for (std::size_t g = 0; g < contact.groups.size(); ++g) {
-    const double mass = modal_mass(contact, g), half_loss = 0.5 * loss_time(contact, g);
+    const double mass = modal_mass(contact, g);
+    const bool lossy = loses(contact);
     for (std::size_t l = 0; l < contact.groups[g].omega.size(); ++l, ++k) {
-      if (half_loss > 0.0 && state.coordinate[k] == 0.0 && state.momentum[k] == 0.0) continue;  // however far back
+      if (lossy && state.coordinate[k] == 0.0 && state.momentum[k] == 0.0) continue;  // however far back
       const double omega = contact.groups[g].omega[l];
-      const auto [kept, coupling, slowed] = numeric::damped_motion(omega, half_loss * omega * omega, time);
-      const double inertia = mass * omega;
+      const FreeMode mode = free_mode(contact, g, omega);
+      const auto [kept, coupling, slowed] = numeric::damped_motion(mode.frequency, mode.gamma, time);
+      const double inertia = mass * mode.frequency;
       moved.coordinate[k] = state.coordinate[k] * kept + state.momentum[k] * coupling / inertia;
       moved.momentum[k] = state.momentum[k] * slowed - state.coordinate[k] * coupling * inertia;
       if (!std::isfinite(moved.coordinate[k]) || !std::isfinite(moved.momentum[k])) {

@@ -36,7 +36,13 @@ DampedMotion overdamped(double omega, double gamma, double time) {
   return {fast * slowly - slow * quickly, omega * (slowly - quickly), fast * quickly - slow * slowly};
 }
 
-/// det(1 − M)
+}  // namespace
+
+DampedMotion damped_motion(double omega, double gamma, double time) {
+  if (gamma == 0.0) return {std::cos(omega * time), std::sin(omega * time), std::cos(omega * time)};
+  return gamma < omega ? underdamped(omega, gamma, time) : overdamped(omega, gamma, time);
+}
+
 double determinant(double omega, double gamma, double time) {
   if (gamma >= omega) {
     const Rates rate = rates(omega, gamma);
@@ -45,13 +51,6 @@ double determinant(double omega, double gamma, double time) {
   const double lost = std::expm1(-gamma * time);
   const double sine = std::sin(0.5 * time * std::sqrt((omega - gamma) * (omega + gamma)));
   return lost * lost + 4.0 * (1.0 + lost) * sine * sine;
-}
-
-}  // namespace
-
-DampedMotion damped_motion(double omega, double gamma, double time) {
-  if (gamma == 0.0) return {std::cos(omega * time), std::sin(omega * time), std::cos(omega * time)};
-  return gamma < omega ? underdamped(omega, gamma, time) : overdamped(omega, gamma, time);
 }
 
 double share_beside_kicks(double omega, double gamma, double time) {

@@ -21,6 +21,9 @@ struct DampedMotion {
 /// Q̇, it is found at Q = t [(1 − M)⁻¹ M]₁₂ F/m at the kicks, with M its free motion between them.
 [[nodiscard]] double share_beside_kicks(double omega, double gamma, double time);
 
+/// det(1 − M) of the free motion M over a time.
+[[nodiscard]] double determinant(double omega, double gamma, double time);
+
 /// Share of a kick that is still due to the velocity before it where the steady motion under kicks of period t, at rest
 /// but for them, has no velocity: (1 − M)⁻¹ again; ½ without damping.
 [[nodiscard]] double share_due(double omega, double gamma, double time);

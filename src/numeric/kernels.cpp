@@ -52,42 +52,53 @@ void advance(const Oscillators& modes, const std::size_t* begin, std::size_t blo
 }
 
 STOSS_MULTIVERSION
-void advance_damped(const Oscillators& modes, const Damping& damping, const std::size_t* begin, std::size_t blocks,
-                    const double* push, double* edge, double* lost) {
+void advance_lossy(const Oscillators& modes, const Losses& losses, const Decays& decays, const std::size_t* begin,
+                   std::size_t blocks, const double* push, double* edge, double* taken) {
   const double* const push_lower = push + blocks * lanes;
-  double* const edge_tangential = edge + blocks * lanes;
+  double* const edge_lower = edge + blocks * lanes;
   for (std::size_t block = 0; block < blocks; ++block) {
     const Lanes upper_kick = load(push + block * lanes, 1.0);
     const Lanes lower_kick = load(push_lower + block * lanes, 1.0);
+    const std::size_t count = decays.count[block];
+    std::size_t decay = decays.begin[block];
     Lanes upper_sum{};
     Lanes lower_sum{};
-    Lanes lost_sum{};
+    Lanes taken_sum{};
     for (std::size_t at = begin[block]; at < begin[block + 1]; at += lanes) {
-      double* const a = modes.a + at;
-      double* const b = modes.b + at;
-      const double* const cosine = modes.cosine + at;
-      const double* const sine = modes.sine + at;
-      const double* const velocity = damping.velocity + at;
-      const double* const rate = damping.rate + at;
-      const double* const due = damping.due + at;
-      const double* const upper = modes.upper + at;
-      const double* const lower = modes.lower + at;
+      Lanes kick{};
+      Lanes moved{};
+      Lanes speed{};
 #pragma omp simd
       for (std::size_t i = 0; i < lanes; ++i) {
-        const double before = a[i];
-        const double kick = upper[i] * upper_kick[i] + lower[i] * lower_kick[i];
-        const double kicked = b[i] - kick, between = b[i] - due[i] * kick;
-        const double after = before * cosine[i] + kicked * sine[i];
-        a[i] = after;
-        b[i] = kicked * velocity[i] - before * sine[i];
-        upper_sum[i] += upper[i] * after;
-        lower_sum[i] += lower[i] * after;
-        lost_sum[i] += rate[i] * between * between;
+        const std::size_t k = at + i;
+        kick[i] = modes.upper[k] * upper_kick[i] + modes.lower[k] * lower_kick[i];
+        speed[i] = losses.speed[k] * modes.b[k];
+        const double a = modes.a[k] - losses.place[k] * kick[i], b = modes.b[k] - losses.jump[k] * kick[i];
+        moved[i] = a * modes.cosine[k] + b * modes.sine[k];
+        modes.a[k] = moved[i];
+        modes.b[k] = b * losses.velocity[k] - a * modes.sine[k];
+      }
+      for (std::size_t j = 0; j < count; ++j, decay += lanes) {
+#pragma omp simd
+        for (std::size_t i = 0; i < lanes; ++i) {
+          const double z = decays.z[decay + i];
+          speed[i] -= decays.rate[decay + i] * z;
+          const double after = (z - decays.residue[decay + i] * kick[i]) * decays.kept[decay + i];
+          decays.z[decay + i] = after;
+          moved[i] += after;
+        }
+      }
+#pragma omp simd
+      for (std::size_t i = 0; i < lanes; ++i) {
+        const std::size_t k = at + i;
+        upper_sum[i] += modes.upper[k] * moved[i];
+        lower_sum[i] += modes.lower[k] * moved[i];
+        taken_sum[i] += losses.omega[k] * kick[i] * (speed[i] - losses.due[k] * kick[i]);
       }
     }
     for (std::size_t i = 0; i < lanes; ++i) edge[block * lanes + i] = upper_sum[i];
-    for (std::size_t i = 0; i < lanes; ++i) edge_tangential[block * lanes + i] = lower_sum[i];
-    for (std::size_t i = 0; i < lanes; ++i) lost[block * lanes + i] += lost_sum[i];
+    for (std::size_t i = 0; i < lanes; ++i) edge_lower[block * lanes + i] = lower_sum[i];
+    for (std::size_t i = 0; i < lanes; ++i) taken[block * lanes + i] += taken_sum[i];
   }
 }
 

@@ -25,16 +25,32 @@ struct Oscillators {
 /// value for each order, first of the upper rows, then of the lower ones.
 void advance(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push, double* edge);
 
-/// What damped oscillators have besides.
-struct Damping {
+/// What oscillators that lose energy have besides: a kick k moves a by place k and b by jump k, and b counts `speed`
+/// times in the velocity.
+struct Losses {
   const double* velocity;  ///< what a free step leaves of b, where `cosine` says what it leaves of a
-  const double* rate;      ///< weight of b² in the power that is lost
-  const double* due;       ///< share of the kick after which b is the velocity of smooth motion
+  const double* place;
+  const double* jump;
+  const double* speed;
+  const double* due;    ///< share of the kick after which the velocity is that of smooth motion
+  const double* omega;  ///< that energies are weighted with
 };
 
-/// The same for damped oscillators. Adds to `lost` of each order the sum of rate b² after the due share of the kick.
-void advance_damped(const Oscillators& modes, const Damping& damping, const std::size_t* begin, std::size_t blocks,
-                    const double* push, double* edge, double* lost);
+/// Motions z e^(−λt) that oscillators consist of besides: each block has `count` of them for every oscillator, one
+/// after another for each `lanes` oscillators, from element `begin` on. A kick k moves z by residue k.
+struct Decays {
+  double* z;
+  const double* residue;
+  const double* kept;  ///< e^(−λΔt)
+  const double* rate;  ///< λ/ω
+  const std::size_t* begin;
+  const std::size_t* count;
+};
+
+/// The same for oscillators that lose energy, of which a + Σ z is the displacement. Adds to `taken` of each order the
+/// sum of ω times kick times velocity after the due share of the kick, in which it takes energy.
+void advance_lossy(const Oscillators& modes, const Losses& losses, const Decays& decays, const std::size_t* begin,
+                   std::size_t blocks, const double* push, double* edge, double* taken);
 
 /// Adds the oscillators' energies a² + b², in units of mass ω/2, to energy[k], after half of the kick that is due.
 void accumulate_energy(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push,

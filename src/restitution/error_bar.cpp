@@ -149,7 +149,7 @@ void apportion_losses(const Contact& contact, Restitution& result) {
 
 double convergence_order(const Contact& contact) {
   if (has_single_point(contact)) return 1.0;
-  return longest_loss_time(contact) > 0.0 ? 1.75 : 2.5;
+  return loses(contact) ? 1.75 : 2.5;
 }
 
 void conclude(const Contact& contact, double speed, const CurvatureCorrection& correction, Restitution& result) {

@@ -64,11 +64,10 @@ Beginning after_flight(const Contact& contact, const Impact& impact, double spee
   }
   if (!moves) return {};
   const double to_touch = flight + (contact.extent + center_after(contact, impact)) / speed;
-  const double distance = longest_loss_time(contact) > 0.0
-                              ? clearance(contact, state)
-                              : speed * time_before_touch(contact, free_motion(contact, state, to_touch));
+  const double distance = loses(contact) ? clearance(contact, state)
+                                         : speed * time_before_touch(contact, free_motion(contact, state, to_touch));
   const double time = to_touch - distance / speed;
-  if (time < 0.0 && longest_loss_time(contact) > 0.0) {
+  if (time < 0.0 && loses(contact)) {
     turn(contact, state, time);  // back in time it would grow
   } else {
     state = free_motion(contact, state, time);
@@ -96,7 +95,7 @@ class Sequence {
     }
     Bounce bounce{.number = ++number_, .speed = speed_, .short_flight = beginning_.short_flight};
     const double vibration_before = vibration() / unit_;
-    const bool damped = options_.decay_time || longest_loss_time(contact_) > 0.0;
+    const bool damped = options_.decay_time || loses(contact_);
     if (damped && number_ > 1) energy_.dissipated += energy_.vibration - vibration_before;
     bounce.before = {translation() / unit_, vibration_before, energy_.dissipated, energy_.unresolved};
     impact =
@@ -135,7 +134,7 @@ class Sequence {
     energy_.translation = ledger.translation * share;
     energy_.vibration = own * share;
     // What a lossy body still holds where it relaxes becomes heat in flight.
-    const double relaxing = longest_loss_time(contact_) > 0.0 ? ledger.stored : 0.0;
+    const double relaxing = loses(contact_) ? ledger.stored : 0.0;
     energy_.dissipated += (ledger.dissipated + relaxing) * share;
     const double waves = contact_.unbounded ? ledger.vibration - own : 0.0;
     energy_.unresolved += (ledger.unresolved + waves) * share;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stoss/poll.hpp"
+#include "stoss/relaxation.hpp"
 
 namespace stoss {
 
@@ -137,6 +138,7 @@ struct Body {
   double inertia = 0.0;     ///< moment about the centre of mass, mass × R²; 0: it does not turn
   double mass_along = 0.0;  ///< of the whole body against forces along its surface; 0: the same as along the normal
   double loss_time = 0.0;   ///< η of a lossy material, R/c: stress = (1 + η ∂/∂t) elastic stress
+  Relaxation relaxation{};  ///< of a material that relaxes, times in R/c; instead of a loss time (relaxing)
   double cutoff = 0.0;      ///< all modes with ω ≤ kept_cutoff(body) are in `groups` (but see with_modes)
   double highest_cutoff = std::numeric_limits<double>::infinity();  ///< that such a body can be made with
   /// Largest stable time step at a hard wall: above it one kick moves the kept modes of some order further than the
@@ -187,6 +189,13 @@ using BodyMaker = std::function<Body(double cutoff, const Poll& poll)>;
 
 /// Makes the rigid body at any cutoff. @throws InvalidInput for a half-space or half-plane
 [[nodiscard]] BodyMaker rigid(const BodyMaker& maker);
+
+/// The same body of a material that relaxes from the modulus it has, with times in its R/c.
+/// @throws InvalidInput as validate(Relaxation), and for a body with a loss time
+[[nodiscard]] Body relaxing(const Body& body, const Relaxation& relaxation);
+
+/// Makes such a body at any cutoff; without terms the body itself.
+[[nodiscard]] BodyMaker relaxing(const BodyMaker& maker, const Relaxation& relaxation);
 
 /// Checks what a contact relies on: positive finite scale, mass and cutoff, groups with arrays of one length, finite
 /// weights and 0 < ω ≤ kept_cutoff(body), and all functions.

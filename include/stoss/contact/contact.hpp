@@ -69,7 +69,21 @@ struct Contact {
 /// Loss time η of the body that the modes of a group belong to, R/c of the first.
 [[nodiscard]] double loss_time(const Contact& contact, std::size_t group);
 
-/// Longest loss time of the bodies, R/c of the first; 0 if they lose nothing.
+/// Relaxation of the body that the modes of a group belong to, times in R/c of the first.
+[[nodiscard]] Relaxation relaxation(const Contact& contact, std::size_t group);
+
+/// Free motion of a mode by itself long after it was struck, Q̈ + 2γ Q̇ + w² Q = 0.
+struct FreeMode {
+  double gamma, frequency;
+};
+
+/// That of a mode of a group, 1/(R/c of the first). @param omega of the elastic body
+[[nodiscard]] FreeMode free_mode(const Contact& contact, std::size_t group, double omega);
+
+/// Whether a material of the bodies takes energy: one has a loss time or relaxes.
+[[nodiscard]] bool loses(const Contact& contact);
+
+/// Longest loss time of the bodies, R/c of the first; 0 if none has one.
 [[nodiscard]] double longest_loss_time(const Contact& contact);
 
 /// Highest wave number of the kept modes along the contact, 1/R.

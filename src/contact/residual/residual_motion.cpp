@@ -76,16 +76,13 @@ MatrixXd product(const MatrixXd& a, const MatrixXd& b, const Poll& poll) {
   return result;
 }
 
-/// θ
-double share_of(double viscous) { return 1.0 / (1.0 + 1.5 * viscous); }
-
 }  // namespace
 
 ResidualMotion::Matrices ResidualMotion::discretize(const ResidualPart& part, const Contact& contact,
                                                     const ContactGrid& grid, double step, const Poll& poll) {
   const auto n = static_cast<Index>(grid.recess.size());
   MatrixXd compliance = dense::square(part.compliance.data(), n, poll);
-  if (longest_loss_time(contact) == 0.0) add_kick_compliance(contact, grid, step, poll, compliance);
+  if (!loses(contact)) add_kick_compliance(contact, grid, step, poll, compliance);
   MatrixXd moment = root(dense::square(part.second_moment().data(), n, poll), poll);
   const auto masses = moment.cols();
   const Eigen::VectorXd impedance = Eigen::Map<const Eigen::VectorXd>(part.impedance.data(), n);
@@ -98,8 +95,8 @@ ResidualMotion::Matrices ResidualMotion::discretize(const ResidualPart& part, co
   MatrixXd mobility = MatrixXd::Identity(masses, masses);
   dense::solve(factored(inertia, poll), mobility, poll);
 
-  if (part.loss_time > 0.0) {
-    const double share = share_of(part.loss_time / step);
+  if (!part.creep.terms.empty()) {
+    const double share = share_of(part.creep, step);
     compliance *= share;
     moment *= share;
   }
@@ -116,7 +113,7 @@ ResidualMotion::Matrices ResidualMotion::discretize(const ResidualPart& part, co
     lower.triangularView<Eigen::Lower>().transpose().solveInPlace(columns);
   });
   std::vector<double> reaction;
-  if (longest_loss_time(contact) > 0.0) reaction.assign(participation.data(), participation.data() + n * masses);
+  if (loses(contact)) reaction.assign(participation.data(), participation.data() + n * masses);
   return {values_of_symmetric(compliance, poll),
           values(participation),
           values(mobility),
@@ -125,12 +122,12 @@ ResidualMotion::Matrices ResidualMotion::discretize(const ResidualPart& part, co
           static_cast<std::size_t>(masses)};
 }
 
-ResidualMotion::Matrices ResidualMotion::massless(ResidualPart part, double step) {
+ResidualMotion::Matrices ResidualMotion::massless(ResidualPart& part, double step) {
   Matrices matrices;
   matrices.compliance = std::move(part.compliance);
-  if (part.loss_time > 0.0) {
-    for (double& each : matrices.compliance) each *= share_of(part.loss_time / step);
-  }
+  if (part.creep.terms.empty()) return matrices;
+  const double share = share_of(part.creep, step);
+  for (double& each : matrices.compliance) each *= share;
   return matrices;
 }
 
@@ -139,10 +136,8 @@ ResidualMotion::ResidualMotion(ResidualPart part, const Contact& contact, const 
     : nodes_(grid.recess.size()),
       step_(step),
       fading_(1.0 / (1.0 + link_stiffness * part.cutoff * step)),
-      viscous_(part.loss_time / step),
-      share_(share_of(viscous_)),
       matrices_(std::make_shared<const Matrices>(inertia == Inertia::all ? discretize(part, contact, grid, step, poll)
-                                                                         : massless(std::move(part), step))),
+                                                                         : massless(part, step))),
       free_(nodes_),
       mass_displacement_(matrices_->masses),
       mass_velocity_(matrices_->masses),
@@ -150,12 +145,13 @@ ResidualMotion::ResidualMotion(ResidualPart part, const Contact& contact, const 
       stretch_(matrices_->masses),
       rest_(matrices_->masses),
       moved_(matrices_->masses),
-      lossy_(longest_loss_time(contact) > 0.0) {
+      lossy_(loses(contact)),
+      strain_(part.creep, step, lossy_ ? nodes_ : 0),
+      mass_strain_(part.creep, step, lossy_ ? matrices_->masses : 0),
+      stress_(part.creep, step, lossy_ ? nodes_ : 0) {
   if (!lossy_) return;
-  moved_before_.resize(matrices_->masses);
   drive_.resize(matrices_->masses);
-  for (auto* each : {&displacement_, &before_, &spring_force_, &spring_before_, &viscous_force_, &reaction_})
-    each->resize(nodes_);
+  for (auto* each : {&displacement_, &spring_force_, &before_, &reaction_}) each->resize(nodes_);
 }
 
 kernels::Masses ResidualMotion::view() {
@@ -165,22 +161,16 @@ kernels::Masses ResidualMotion::view() {
 
 const std::vector<double>& ResidualMotion::predict() {
   const std::size_t masses = matrices_->masses;
-  const double remembered = viscous_ * share_;
   kernels::drift(view(), step_, fading_, rest_.data());
-  for (std::size_t k = 0; lossy_ && k < masses; ++k) {
-    drive_[k] = rest_[k] - remembered * (2.0 * moved_[k] - 0.5 * moved_before_[k]);
-  }
+  if (lossy_) kernels::subtract(rest_.data(), mass_strain_.predict().data(), masses, drive_.data());
   const std::vector<double>& drive = lossy_ ? drive_ : rest_;
   kernels::multiply_transposed(matrices_->memory.data(), nodes_, masses, 0, nodes_, drive.data(), free_.data());
-  if (lossy_) {
-    for (std::size_t i = 0; i < nodes_; ++i) free_[i] += remembered * (2.0 * displacement_[i] - 0.5 * before_[i]);
-  }
+  if (lossy_) kernels::add(free_.data(), strain_.predict().data(), nodes_, free_.data());
   return free_;
 }
 
 void ResidualMotion::move(const std::vector<double>& displacement, const std::vector<double>& force) {
   const std::size_t masses = matrices_->masses;
-  if (lossy_) moved_before_ = moved_;
   kernels::multiply_transposed(matrices_->participation.data(), masses, nodes_, 0, masses, displacement.data(),
                                moved_.data());
   kernels::subtract(moved_.data(), rest_.data(), masses, rest_.data());
@@ -193,23 +183,15 @@ void ResidualMotion::move(const std::vector<double>& displacement, const std::ve
 void ResidualMotion::lose(const std::vector<double>& displacement, const std::vector<double>& force) {
   kernels::multiply_transposed(matrices_->reaction.data(), nodes_, matrices_->masses, 0, nodes_,
                                mass_acceleration_.data(), reaction_.data());
+  before_.swap(spring_force_);
+  kernels::subtract(force.data(), reaction_.data(), nodes_, spring_force_.data());
   for (std::size_t i = 0; i < nodes_; ++i) {
-    const double springs = force[i] - reaction_[i];
-    const double now = share_ * (springs + viscous_ * (2.0 * spring_force_[i] - 0.5 * spring_before_[i]));
-    const double viscous = springs - now;
-    dissipated_ += 0.5 * (viscous_force_[i] + viscous) * (displacement[i] - displacement_[i]);
-    viscous_force_[i] = viscous;
-    spring_before_[i] = spring_force_[i];
-    spring_force_[i] = now;
-    before_[i] = displacement_[i];
-    displacement_[i] = displacement[i];
+    work_ += 0.5 * (before_[i] + spring_force_[i]) * (displacement[i] - displacement_[i]);
   }
-}
-
-double ResidualMotion::stored() const {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < spring_force_.size(); ++i) sum += 0.5 * displacement_[i] * spring_force_[i];
-  return sum;
+  displacement_ = displacement;
+  strain_.follow(displacement);
+  mass_strain_.follow(moved_);
+  stress_.take(spring_force_);
 }
 
 }  // namespace stoss

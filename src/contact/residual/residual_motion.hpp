@@ -12,26 +12,25 @@ namespace stoss {
 
 /// How the modes of a ResidualPart move. The nodes' displacement u answers the force f with the dynamic stiffness
 ///
-///   (1 + s η) K + [(s²M)⁻¹ + (G + sZ)⁻¹]⁻¹,   K = W⁻¹,   M = K V K,   G = γ ω_c Z,   γ = 8/π − π/2:
+///   K/J(s) + [(s²M)⁻¹ + (G + sZ)⁻¹]⁻¹,   K = W⁻¹,   M = K V K,   G = γ ω_c Z,   γ = 8/π − π/2:
 ///
-/// springs K, viscous in a lossy material, and, parallel to them, masses M behind links of a spring G and a dashpot Z.
-/// Its compliance is W/(1 + sη) − s²V/(1 + sη)² + O(s⁴) at low frequency, as that of the modes above the cutoff ω_c,
-/// and without losses 1/(sZ) − (2/π) ω_c/(s²Z) at high frequency, as that of plane waves less the kept modes. V is of
-/// low rank on the nodes, V = Y Yᵀ, so the masses move in few unit-mass coordinates ξ = Rᵀ (u − z), R = K Y, with z the
-/// stretch of the links. By the trapezium rule for the masses, backward Euler for the links
-/// (docs/developer/numerics.md, section 3) and the backward differentiation formula of second order (BDF2) for the
-/// viscous springs (docs/theory/loss.md):
+/// springs K that creep by J(s) in a lossy material, 1 without losses, and, parallel to them, masses M behind links of
+/// a spring G and a dashpot Z. Its compliance is J W − s²J²V + O(s⁴) at low frequency, as that of the modes above the
+/// cutoff ω_c, and without losses 1/(sZ) − (2/π) ω_c/(s²Z) at high frequency, as that of plane waves less the kept
+/// modes. V is of low rank on the nodes, V = Y Yᵀ, so the masses move in few unit-mass coordinates ξ = Rᵀ (u − z), R =
+/// K Y, with z the stretch of the links. By the trapezium rule for the masses, backward Euler for the links
+/// (docs/developer/numerics.md, section 3) and u = θ d + w of the springs, with d their elastic strain and w what they
+/// remember (CreepMemory, docs/theory/loss.md):
 ///
-///   f = (1 + 3c/2) K u − c K w + R ξ̈,   c = η/Δt,   w = 2u₁ − ½u₂ of the two steps before,
+///   f = K d + R ξ̈ = K (u − w)/θ + R ξ̈,
 ///   ξ̈ = S⁻¹ (Rᵀu − r),   S = ¼Δt² + Rᵀ B⁻¹ R,   B = G + Z/Δt,
 ///   r = ξ + Δt ξ̇ + ¼Δt² ξ̈ + Rᵀz/(1 + γ ω_c Δt)   of the step before,
-///   u = W′f + h,   W′ = θW − θY T θYᵀ,   θ = 1/(1 + 3c/2),   T = (S + θYᵀR)⁻¹,
-///   h = cθ w + θY T (r − cθ Rᵀw).
+///   u = W′f + h,   W′ = θW − θY T θYᵀ,   T = (S + θYᵀR)⁻¹,   h = w + θY T (r − Rᵀw).
 class ResidualMotion {
  public:
   /// Which of the modes that are not kept carry mass.
   enum class Inertia {
-    none,  ///< none: u answers the force by itself, u + η u̇ = W f
+    none,  ///< none: u answers the force by itself, u = J W f
     all,   ///< all; and while nothing is lost, what the kicks leave out of the kept modes is in W
   };
 
@@ -47,11 +46,11 @@ class ResidualMotion {
   /// Ends it with the displacement u and the force f.
   void move(const std::vector<double>& displacement, const std::vector<double>& force);
 
-  /// ∫ η u̇ᵀK u̇ dt so far.
-  [[nodiscard]] double dissipated() const { return dissipated_; }
+  /// What the material has taken so far, the work on its springs less what they hold.
+  [[nodiscard]] double dissipated() const { return lossy_ ? work_ - stored() : 0.0; }
 
-  /// ½ uᵀK u of a lossy contact; 0 of others.
-  [[nodiscard]] double stored() const;
+  /// Energy of the springs of a lossy contact; 0 of others.
+  [[nodiscard]] double stored() const { return strain_.energy(stress_); }
 
  private:
   struct Matrices {
@@ -64,15 +63,14 @@ class ResidualMotion {
   };
   static Matrices discretize(const ResidualPart& part, const Contact& contact, const ContactGrid& grid, double step,
                              const Poll& poll);
-  static Matrices massless(ResidualPart part, double step);
+  static Matrices massless(ResidualPart& part, double step);
+  static double share_of(const Creep& creep, double step) { return CreepMemory(creep, step, 0).share(); }
   [[nodiscard]] numeric::kernels::Masses view();
   void lose(const std::vector<double>& displacement, const std::vector<double>& force);
 
   std::size_t nodes_;
   double step_;
   double fading_;                             // 1/(1 + γ ω_c Δt)
-  double viscous_;                            // c
-  double share_;                              // θ
   std::shared_ptr<const Matrices> matrices_;  // shared by copies
   std::vector<double> free_;                  // h
   // Of the masses.
@@ -82,13 +80,12 @@ class ResidualMotion {
   std::vector<double> moved_;                                                  // Rᵀu
   // Of a lossy material.
   bool lossy_;
-  std::vector<double> drive_;                         // r − cθ Rᵀw
-  std::vector<double> moved_before_;                  // Rᵀu of the step before
-  std::vector<double> displacement_, before_;         // u of the last two steps
-  std::vector<double> spring_force_, spring_before_;  // K u of the last two steps
-  std::vector<double> viscous_force_;                 // η K u̇
-  std::vector<double> reaction_;                      // R ξ̈
-  double dissipated_ = 0.0;
+  CreepMemory strain_, mass_strain_, stress_;  // of u, Rᵀu and K u
+  std::vector<double> drive_;                  // r − Rᵀw
+  std::vector<double> displacement_;           // u of the step before
+  std::vector<double> spring_force_, before_;  // K d, now and in the step before
+  std::vector<double> reaction_;               // R ξ̈
+  double work_ = 0.0;                          // on the springs
 };
 
 }  // namespace stoss

@@ -6,6 +6,7 @@
 #include "contact/unit_ratios.hpp"
 #include "numeric/damped_oscillator.hpp"
 #include "numeric/dense.hpp"
+#include "relaxation/oscillator.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
@@ -26,11 +27,17 @@ void turn_around(std::size_t points, std::size_t values, std::vector<double>& ma
   }
 }
 
+/// @param unit of time of the body, R/c of the first
+Creep creep_of(const Body& body, double unit) {
+  if (body.loss_time > 0.0) return kelvin_voigt_creep(body.loss_time * unit);
+  return creep(Rates(in_time(body.relaxation, unit)));
+}
+
 ResidualPart first_part(const Contact& contact, const ContactGrid& grid, const Poll& poll) {
   const Body& body = *contact.first;
   return {residual_of(contact, grid, 0, &Body::residual_compliance, poll),
           [&contact, &grid, poll] { return residual_of(contact, grid, 0, &Body::residual_second_moment, poll); },
-          body.surface(grid.points).impedance, kept_cutoff(body), body.loss_time};
+          body.surface(grid.points).impedance, kept_cutoff(body), creep_of(body, 1.0)};
 }
 
 ResidualPart second_part(const Contact& contact, const ContactGrid& grid, const Poll& poll) {
@@ -42,7 +49,7 @@ ResidualPart second_part(const Contact& contact, const ContactGrid& grid, const 
           },
           times(units.impedance, body.surface(seen_by(grid.points, units)).impedance),
           kept_cutoff(body) / units.time,
-          body.loss_time * units.time,
+          creep_of(body, units.time),
           1};
 }
 
@@ -70,8 +77,8 @@ std::vector<double> residual_of(const Contact& contact, const ContactGrid& grid,
 }
 
 std::vector<ResidualPart> residual_parts(const Contact& contact, const ContactGrid& grid, const Poll& poll) {
-  const double loss_time = longest_loss_time(contact);
-  if (body_of(contact, 1) != nullptr && loss_time > 0.0) {
+  if (loses(contact)) {
+    if (body_of(contact, 1) == nullptr) return alone(first_part(contact, grid, poll));
     if (contact.first->softness == 0.0) return alone(second_part(contact, grid, poll));
     if (contact.second->softness == 0.0) return alone(first_part(contact, grid, poll));
     std::vector<ResidualPart> both = alone(first_part(contact, grid, poll));
@@ -80,7 +87,7 @@ std::vector<ResidualPart> residual_parts(const Contact& contact, const ContactGr
   }
   return alone({residual_compliance(contact, grid, poll),
                 [&contact, &grid, poll] { return residual_second_moment(contact, grid, poll); }, grid.impedance,
-                kept_cutoff(contact.cutoff, loss_time), loss_time});
+                contact.cutoff});
 }
 
 namespace dense = numeric::dense;
@@ -90,28 +97,46 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 
 namespace {
 
-/// Of the static compliance of a mode.
-double share_of_kick(double omega, double loss_time, bool lossy, double step) {
-  if (!lossy) return numeric::share_beside_kicks(omega, 0.0, step);
-  return numeric::stable_kicks(omega, 0.5 * loss_time * omega * omega, step).at_once;
-}
+/// The displacement of the modes of a group per force that kicks leave out.
+class BesideKicks {
+ public:
+  BesideKicks(const Contact& contact, std::size_t group, double step)
+      : step_(step),
+        mass_(contact.mass),
+        weaker_(longest_loss_time(contact) > 0.0),
+        loss_time_(loss_time(contact, group)),
+        relaxes_(!relaxation(contact, group).terms.empty()),
+        rates_(relaxation(contact, group)) {}
+
+  [[nodiscard]] double of(double omega) const {
+    if (!weaker_ && relaxes_) return relaxing_oscillator(omega, rates_).missing_beside_kicks(step_) / mass_;
+    const double share = weaker_ ? numeric::stable_kicks(omega, 0.5 * loss_time_ * omega * omega, step_).at_once
+                                 : numeric::share_beside_kicks(omega, 0.0, step_);
+    return share / (omega * omega * mass_);
+  }
+
+ private:
+  double step_, mass_;
+  bool weaker_;
+  double loss_time_;
+  bool relaxes_;
+  Rates rates_;
+};
 
 }  // namespace
 
 void add_kick_compliance(const Contact& contact, const ContactGrid& grid, double step, const Poll& poll,
                          Eigen::Ref<Eigen::MatrixXd> compliance) {
   if (contact.groups.empty()) return;
-  const bool lossy = longest_loss_time(contact) > 0.0;
   const auto n = compliance.rows();
   const Eigen::Map<const RowMajor> shape(grid.shape.data(), static_cast<Index>(grid.shape.size()) / n, n);
   RowMajor response = RowMajor::Zero(shape.rows(), n);  // of each shape to forces on the nodes
   for (std::size_t g = 0; g < contact.groups.size(); ++g) {
     const ModeGroup& group = contact.groups[g];
-    const double loss = loss_time(contact, g);
+    const BesideKicks beside(contact, g, step);
     double upper = 0.0, mixed = 0.0, lower = 0.0;
     for (std::size_t l = 0; l < group.omega.size(); ++l) {
-      const double omega = group.omega[l];
-      const double missing = share_of_kick(omega, loss, lossy, step) / (omega * omega * contact.mass);
+      const double missing = beside.of(group.omega[l]);
       upper += missing * group.upper[l] * group.upper[l];
       mixed += missing * group.upper[l] * group.lower[l];
       lower += missing * group.lower[l] * group.lower[l];

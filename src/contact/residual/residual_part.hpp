@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "relaxation/creep.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/poll.hpp"
@@ -18,7 +19,7 @@ struct ResidualPart {
   std::function<std::vector<double>()> second_moment;  ///< V, points × points; refers to the contact and its grid
   std::vector<double> impedance;                       ///< Z of each point
   double cutoff = 0.0;                                 ///< of the kept modes
-  double loss_time = 0.0;                              ///< η
+  Creep creep{};                                       ///< of the material
   std::size_t body = 0;                                ///< 0: of the first or of all, 1: of the second
 };
 
@@ -37,9 +38,9 @@ using Residual = std::function<std::vector<double>(const ContactPoints&, const P
                                                        const Poll& poll);
 
 /// Adds the compliance between the points with which the kept modes follow a force at once, beside the kicks of period
-/// Δt. Without losses it is what the kicks leave out (docs/developer/numerics.md, section 2): they move a mode under a
-/// constant force by (Δt/2ω) cot(ωΔt/2) instead of 1/ω². In a lossy contact it is more, and the kicks are weaker by as
-/// much (numeric::stable_kicks). In both the response to slow forces is exact.
+/// Δt. It is what the kicks leave out (docs/developer/numerics.md, section 2): without losses they move a mode under a
+/// constant force by (Δt/2ω) cot(ωΔt/2) instead of 1/ω². Where a body has a loss time it is more, and the kicks are
+/// weaker by as much (numeric::stable_kicks). In all the response to slow forces is exact.
 /// @param compliance points × points
 void add_kick_compliance(const Contact& contact, const ContactGrid& grid, double step, const Poll& poll,
                          Eigen::Ref<Eigen::MatrixXd> compliance);

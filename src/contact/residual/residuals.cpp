@@ -22,7 +22,7 @@ void add(const std::vector<double>& values, std::vector<double>& sum) {
 
 Residuals::Residuals(const Contact& contact, const ContactGrid& grid, ResidualMotion::Inertia inertia, double step,
                      const Poll& poll)
-    : lossy_(longest_loss_time(contact) > 0.0) {
+    : lossy_(loses(contact)) {
   for (ResidualPart& part : residual_parts(contact, grid, poll)) {
     bodies_.push_back(part.body);
     parts_.emplace_back(std::move(part), contact, grid, inertia, step, poll);
@@ -70,10 +70,10 @@ std::array<double, 2> Residuals::dissipated() const {
   return each;
 }
 
-double Residuals::stored() const {
-  double sum = 0.0;
-  for (const ResidualMotion& part : parts_) sum += part.stored();
-  return sum;
+std::array<double, 2> Residuals::stored() const {
+  std::array<double, 2> each{};
+  for (std::size_t k = 0; k < parts_.size(); ++k) each[bodies_[k]] = parts_[k].stored();
+  return each;
 }
 
 }  // namespace stoss

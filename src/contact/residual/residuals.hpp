@@ -28,8 +28,8 @@ class Residuals {
   /// What the material of the first and of the second body has taken.
   [[nodiscard]] std::array<double, 2> dissipated() const;
 
-  /// Energy of the springs of lossy bodies; 0 of others.
-  [[nodiscard]] double stored() const;
+  /// Energy of the springs of the first and of the second lossy body; 0 of others.
+  [[nodiscard]] std::array<double, 2> stored() const;
 
  private:
   std::vector<ResidualMotion> parts_;

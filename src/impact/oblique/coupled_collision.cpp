@@ -43,7 +43,7 @@ CoupledCollision::CoupledCollision(const Contact& contact, const std::vector<Con
                   .replicate(static_cast<Index>(along.size()), 1)),
       range_(law_.range(grid.recess)),
       touch_(touch_compression(contact, grid)),
-      lossy_(longest_loss_time(contact) > 0.0),
+      lossy_(loses(contact)),
       first_share_(loss_share(contact)),
       start_compression_(start ? contact_.extent + start->center
                                : start_before(first_kick(contact), range_, touch_, frame_.speed * step_)),

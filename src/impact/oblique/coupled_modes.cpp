@@ -147,7 +147,10 @@ double CoupledModes::dissipated_above_cutoff() const {
 
 double CoupledModes::stored() const {
   double sum = 0.0;
-  for (const Block& block : blocks_) sum += block.residuals.stored();
+  for (const Block& block : blocks_) {
+    const auto [first, second] = block.residuals.stored();
+    sum += first + second;
+  }
   return sum;
 }
 

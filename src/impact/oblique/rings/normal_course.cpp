@@ -10,7 +10,7 @@ namespace stoss {
 NormalCourse::NormalCourse(const Contact& contact, double speed, const ImpactOptions& options)
     : frame(contact, speed, options), mass(contact.mass), extent(contact.extent), unit(whole_mass(*contact.first)) {
   impact = stoss::impact(contact, speed, options, {}, &pressures);
-  if (longest_loss_time(contact) == 0.0) pressures.end_with_contact();
+  if (!loses(contact)) pressures.end_with_contact();
   const ContactGrid grid = contact_grid(contact, impact.resolution.half_width, impact.resolution.nodes);
   nodes = grid.points;
   arm = arms(contact, nodes);

@@ -113,7 +113,8 @@ AlongOutcome TangentialImpact::outcome() const {
   after.vibration = {std::accumulate(energies.begin(), second, 0.0),
                      std::accumulate(second, energies.end(), waves_.energy())};
   const auto [first_lost, second_lost] = residuals_.dissipated();
-  after.stored = residuals_.stored();
+  const auto [first_stored, second_stored] = residuals_.stored();
+  after.stored = first_stored + second_stored;
   after.dissipated = modes_.dissipated(0, response_.along.groups.size()) + first_lost + second_lost;
   after.friction = heat_;
   after.unresolved = work_ - first_lost - second_lost - after.stored;

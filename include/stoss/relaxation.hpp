@@ -1,0 +1,43 @@
+#pragma once
+
+#include <complex>
+#include <vector>
+
+namespace stoss {
+
+/// A part of the instantaneous modulus that relaxes: E_j e^(−t/τ_j).
+struct RelaxationTerm {
+  double share = 0.0;  ///< E_j/E(0)
+  double time = 0.0;   ///< τ_j, in the unit of time of what has it
+
+  bool operator==(const RelaxationTerm&) const = default;
+};
+
+/// How the moduli of a material relax, all of them alike: a Prony series.
+///
+///   E(t) = E∞ + Σ E_j e^(−t/τ_j),   E(0) = E∞ + Σ E_j,   M(s) = [E∞ + Σ E_j sτ_j/(1 + sτ_j)]/E(0)
+///
+/// Poisson's ratio stays constant, so an elastic body of the modulus E(0) keeps its eigenmodes: ω² becomes ω²M(s), and
+/// a static compliance W becomes W/M(s) (docs/theory/loss.md). Without terms the material is elastic.
+struct Relaxation {
+  std::vector<RelaxationTerm> terms{};
+
+  /// E∞/E(0) = 1 − Σ shares, 0 at least.
+  [[nodiscard]] double relaxed() const;
+
+  bool operator==(const Relaxation&) const = default;
+};
+
+/// Terms that a material may have.
+inline constexpr std::size_t most_relaxation_terms = 20;
+
+/// Checks shares above 0 with a sum of at most 1, and finite times above 0. @throws InvalidInput
+void validate(const Relaxation& relaxation);
+
+/// M(s); at s = iω its real part is E′/E(0), its imaginary part E″/E(0). @param s in 1/(unit of time)
+[[nodiscard]] std::complex<double> modulus(const Relaxation& relaxation, std::complex<double> s);
+
+/// The same in another unit of time, in which all times are `factor` times as large.
+[[nodiscard]] Relaxation in_time(const Relaxation& relaxation, double factor);
+
+}  // namespace stoss

@@ -1,0 +1,120 @@
+#include "relaxation/zeros.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace stoss {
+
+Rates::Rates(const Relaxation& relaxation) : relaxed(std::max(relaxation.relaxed(), 1e-12)) {
+  constexpr double same = 1e-9;  // closer rates differ by less than their square
+  std::vector<std::pair<double, double>> sorted;
+  for (const RelaxationTerm& term : relaxation.terms) sorted.emplace_back(1.0 / term.time, term.share);
+  std::sort(sorted.begin(), sorted.end());
+  for (const auto& [its_rate, its_share] : sorted) {
+    if (!rate.empty() && its_rate <= (1.0 + same) * rate.back()) {
+      const double sum = share.back() + its_share;
+      rate.back() += its_share / sum * (its_rate - rate.back());
+      share.back() = sum;
+    } else {
+      rate.push_back(its_rate);
+      share.push_back(its_share);
+    }
+  }
+}
+
+namespace {
+
+/// A point of the interval between two poles, or 0 and the first, by its distance from the nearer end.
+struct Place {
+  double rate;
+  double down;  ///< above the lower end
+  double up;    ///< below the upper end
+};
+
+/// The interval below κ_j.
+class Interval {
+ public:
+  Interval(const Rates& rates, double inertia, std::size_t upper)
+      : rates_(rates), inertia_(inertia), upper_(upper), low_(upper == 0 ? 0.0 : rates.rate[upper - 1]) {}
+
+  [[nodiscard]] double width() const { return rates_.rate[upper_] - low_; }
+  [[nodiscard]] Place from_low(double distance) const { return {low_ + distance, distance, width() - distance}; }
+  [[nodiscard]] Place from_high(double distance) const {
+    return {rates_.rate[upper_] - distance, width() - distance, distance};
+  }
+
+  /// M(s) + s² inertia at s = −rate times both distances (of the first interval, that from the pole): it has no poles.
+  [[nodiscard]] double value(const Place& at) const {
+    double rest = inertia_ * at.rate * at.rate + rates_.relaxed;
+    for (std::size_t i = 0; i < rates_.rate.size(); ++i) {
+      if (i != upper_ && i + 1 != upper_) rest -= at.rate * rates_.share[i] / difference(i, at);
+    }
+    const double near = at.up * rest - at.rate * rates_.share[upper_];
+    return upper_ == 0 ? near : at.down * near + at.up * at.rate * rates_.share[upper_ - 1];
+  }
+
+  [[nodiscard]] double slope(const Place& at) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < rates_.rate.size(); ++i) {
+      const double apart = difference(i, at);
+      sum += rates_.share[i] * rates_.rate[i] / (apart * apart);
+    }
+    return sum;
+  }
+
+ private:
+  /// κ_i − rate
+  [[nodiscard]] double difference(std::size_t i, const Place& at) const {
+    if (i == upper_) return at.up;
+    if (i + 1 == upper_) return -at.down;
+    return i > upper_ ? rates_.rate[i] - rates_.rate[upper_] + at.up : rates_.rate[i] - low_ - at.down;
+  }
+
+  const Rates& rates_;
+  double inertia_;
+  std::size_t upper_;
+  double low_;
+};
+
+Place zero_of(const Interval& interval) {
+  const double half = 0.5 * interval.width();
+  const Place middle = interval.from_low(half);
+  const double at_middle = interval.value(middle);
+  if (at_middle == 0.0) return middle;
+  const bool high = at_middle > 0.0;  // the value falls from the lower end to the upper one
+  const auto place = [&](double distance) { return high ? interval.from_high(distance) : interval.from_low(distance); };
+  const auto value = [&](double distance) { return interval.value(place(distance)); };
+  const double at_end = value(0.0);
+  if (at_end == 0.0 || (at_end > 0.0) == (at_middle > 0.0)) return place(0.0);
+  std::uintmax_t steps = 200;
+  const auto [from, to] = boost::math::tools::toms748_solve(value, 0.0, half, at_end, at_middle,
+                                                            boost::math::tools::eps_tolerance<double>(50), steps);
+  return place(0.5 * (from + to));
+}
+
+}  // namespace
+
+std::vector<RealZero> real_zeros(const Rates& rates, double inertia) {
+  std::vector<RealZero> zeros;
+  zeros.reserve(rates.rate.size());
+  for (std::size_t j = 0; j < rates.rate.size(); ++j) {
+    const Interval interval(rates, inertia, j);
+    const Place at = zero_of(interval);
+    zeros.push_back({at.rate, interval.slope(at), at.up});
+  }
+  return zeros;
+}
+
+double modulus_slope(const Rates& rates, double rate) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < rates.rate.size(); ++i) {
+    const double apart = rates.rate[i] - rate;
+    sum += rates.share[i] * rates.rate[i] / (apart * apart);
+  }
+  return sum;
+}
+
+}  // namespace stoss
