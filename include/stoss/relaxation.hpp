@@ -37,6 +37,9 @@ void validate(const Relaxation& relaxation);
 /// M(s); at s = iω its real part is E′/E(0), its imaginary part E″/E(0). @param s in 1/(unit of time)
 [[nodiscard]] std::complex<double> modulus(const Relaxation& relaxation, std::complex<double> s);
 
+/// E(t)/E(0), the stress under a constant strain.
+[[nodiscard]] double modulus_after(const Relaxation& relaxation, double time);
+
 /// The same in another unit of time, in which all times are `factor` times as large.
 [[nodiscard]] Relaxation in_time(const Relaxation& relaxation, double factor);
 

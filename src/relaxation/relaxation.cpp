@@ -1,6 +1,7 @@
 #include "stoss/relaxation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "check.hpp"
@@ -36,6 +37,12 @@ void validate(const Relaxation& relaxation) {
 std::complex<double> modulus(const Relaxation& relaxation, std::complex<double> s) {
   std::complex<double> sum = relaxation.relaxed();
   for (const RelaxationTerm& term : relaxation.terms) sum += term.share * (s * term.time) / (1.0 + s * term.time);
+  return sum;
+}
+
+double modulus_after(const Relaxation& relaxation, double time) {
+  double sum = relaxation.relaxed();
+  for (const RelaxationTerm& term : relaxation.terms) sum += term.share * std::exp(-time / term.time);
   return sum;
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "contact/touch.hpp"
+#include "contact/unit_ratios.hpp"
 #include "restitution/ladder/climb.hpp"
 
 namespace stoss {
@@ -56,13 +57,33 @@ Missing missing_of_balls(double cutoff, double speed) {
   return {share, std::max(0.8 * share + at_16 * calm * 16.0 / cutoff, 0.6 * whole)};
 }
 
+/// Share of the error by nodes that is left where each of them relaxes while the edge passes it: n nodes in a time t,
+/// 2 η n/t or some τ n/t of them in the time of relaxation. Each term counts as it loses in an impact.
+double left_by_relaxing(const Contact& contact, double nodes, double duration) {
+  constexpr double relaxing = 0.7, always = 0.05;  // fits
+  const double loss_time = touch(contact).loss_time, viscous = 1.0 + 2.0 * loss_time * nodes / duration;
+  double sum = 0.0, whole = 0.0;
+  for (int number = 0; number < 2; ++number) {
+    const auto body = body_of(contact, number);
+    if (body == nullptr) continue;
+    const UnitRatios units = units_of(contact, number);
+    for (const RelaxationTerm& term : body->relaxation.terms) {
+      const double time = term.time * units.time, angle = std::numbers::pi * time / duration;
+      const double loses = body->softness * units.softness * term.share * angle / (1.0 + angle * angle);
+      const double passes = 1.0 + relaxing * time * nodes / duration;
+      whole += loses;
+      sum += loses * (always + (1.0 - always) / (passes * passes));
+    }
+  }
+  return std::max(whole == 0.0 ? 0.0 : sum / whole, loss_time == 0.0 ? 0.0 : 1.0 / (viscous * viscous));
+}
+
 /// Error of what the material takes in one run, from its nodes: those that a lossy contact leaves are the worse
-/// resolved the fewer there are and the less each of them relaxes meanwhile, 2 η n/t nodes in the time η.
+/// resolved the fewer there are and the less each of them relaxes meanwhile.
 double node_error(const Contact& contact, const Run& run) {
-  const Touch met = touch(contact);
-  const double constant = met.circle ? 12.0 : 2.1, nodes = run.resolution.nodes;
-  const double relaxing = 1.0 + 2.0 * met.loss_time * nodes / run.contact_time;
-  return constant * run.dissipated / (nodes * nodes * relaxing * relaxing);
+  if (!loses(contact)) return 0.0;
+  const double constant = touch(contact).circle ? 12.0 : 2.1, nodes = run.resolution.nodes;
+  return constant * run.dissipated / (nodes * nodes) * left_by_relaxing(contact, nodes, run.contact_time);
 }
 
 /// To a plate that takes nearly all of the energy, more of it does nothing, and where a ball stays nothing can.

@@ -117,17 +117,14 @@ double CoupledContact::half_width() const {
 }
 
 void CoupledContact::follow(double before, double now, double step) {
-  if (law_.loss_time == 0.0) return;
-  constexpr double least = 1e-6;
-  const double left = std::max(now, least * std::abs(before));
-  law_.recede(now < before ? 0.5 * std::max(half_width(), 0.5) * (before - now) / (left * step) : 0.0);
+  if (law_.follows()) law_.follow(before, now, half_width(), step);
 }
 
 /// Largest position or gap of the nodes that feel the law; 0 if none does.
 double CoupledContact::reached(const VectorXd& x) const {
   double scale = 0.0;
   for (std::size_t i = 0; i < closure_.size(); ++i) {
-    const double gap = law_.opening * law_.gap[i];
+    const double gap = law_.full_gap(i);
     if (x(at(i)) > -gap) scale = std::max({scale, x(at(i)), gap});
   }
   return scale;

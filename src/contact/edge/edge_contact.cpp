@@ -45,11 +45,7 @@ double EdgeContact::law_energy(const std::vector<double>& force) const {
 }
 
 void EdgeContact::follow(double before, double now, double step) {
-  if (law_.loss_time == 0.0) return;
-  // Half-widths go with the root of the compression, nearly so along a line; the last node to leave has one of ½.
-  constexpr double least = 1e-6;
-  const double left = std::max(now, least * std::abs(before));
-  law_.recede(now < before ? 0.5 * std::max(half_width(), 0.5) * (before - now) / (left * step) : 0.0);
+  if (law_.follows()) law_.follow(before, now, half_width(), step);
 }
 
 double EdgeContact::closeness(const std::vector<double>& q) const {
@@ -140,9 +136,9 @@ bool EdgeContact::solve_edge(const std::vector<double>& q, double tolerance, std
     }
     compliance_->backward(count, inner_, force);
     std::size_t keep = rigid;
-    while (keep > 0 && force[keep - 1] < law_.force[keep - 1]) --keep;
+    while (keep > 0 && force[keep - 1] < law_.full_force(keep - 1)) --keep;
     for (std::size_t i = 0; i < keep; ++i) {
-      if (force[i] < law_.force[i]) return false;
+      if (force[i] < law_.full_force(i)) return false;
     }
     if (keep < rigid) {
       rigid = keep;
@@ -150,9 +146,9 @@ bool EdgeContact::solve_edge(const std::vector<double>& q, double tolerance, std
     }
     compliance_->multiply(count, count, force, displacement);
     std::size_t grown = count;
-    while (grown < size && displacement[grown] - q[grown] < law_.opening * law_.gap[grown] - tolerance) ++grown;
+    while (grown < size && displacement[grown] - q[grown] < law_.full_gap(grown) - tolerance) ++grown;
     for (std::size_t i = grown; i < size; ++i) {
-      if (displacement[i] - q[i] < law_.opening * law_.gap[i] - tolerance) return false;
+      if (displacement[i] - q[i] < law_.full_gap(i) - tolerance) return false;
     }
     if (grown > count) {
       // What is closed in front of the zone's end becomes rigid; if nothing is, the zone is wider than three nodes.

@@ -19,46 +19,71 @@ namespace stoss {
 /// (docs/developer/numerics.md, section 3). With the closure t = 1 − √(g/g*), f = f* t² and g = g* (1 − t)²: one smooth
 /// curve.
 struct EdgeLaw {
-  std::vector<double> force;  ///< f* of each node
-  std::vector<double> gap;    ///< g* of each node, R
-  double loss_time = 0.0;     ///< η of what meets, R/c
-  double opening = 1.0;       ///< by which all g* are multiplied at present (recede)
+  /// A body that relaxes, and its share of the softness of both.
+  struct Relaxing {
+    double share;
+    Relaxation relaxation;
+  };
+
+  std::vector<double> force;         ///< f* of each node
+  std::vector<double> gap;           ///< g* of each node, R
+  double loss_time = 0.0;            ///< η of what meets, R/c
+  std::vector<Relaxing> relaxing{};  ///< bodies of what meets
+  double firmness = 1.0;             ///< by which all f* are multiplied at present (follow)
+  double opening = 1.0;              ///< the same of all g*
+
+  /// Whether the law follows the edge of a lossy contact.
+  [[nodiscard]] bool follows() const { return loss_time > 0.0 || !relaxing.empty(); }
+
+  /// f* and g* of a node at present.
+  [[nodiscard]] double full_force(std::size_t i) const { return firmness * force[i]; }
+  [[nodiscard]] double full_gap(std::size_t i) const { return opening * gap[i]; }
 
   /// f for any closure: none below 0, as rigid contact needs it above 1.
   [[nodiscard]] double force_at(std::size_t i, double closure) const {
-    return closure > 0.0 ? force[i] * closure * closure : 0.0;
+    return closure > 0.0 ? full_force(i) * closure * closure : 0.0;
   }
 
   /// g for any closure: 0 from 1 on.
   [[nodiscard]] double gap_at(std::size_t i, double closure) const {
-    return closure < 1.0 ? opening * gap[i] * (1.0 - closure) * (1.0 - closure) : 0.0;
+    return closure < 1.0 ? full_gap(i) * (1.0 - closure) * (1.0 - closure) : 0.0;
   }
 
   /// df/dt of a node.
   [[nodiscard]] double force_slope(std::size_t i, double closure) const {
-    return closure > 0.0 ? 2.0 * force[i] * closure : 0.0;
+    return closure > 0.0 ? 2.0 * full_force(i) * closure : 0.0;
   }
 
   /// −dg/dt of a node.
   [[nodiscard]] double gap_slope(std::size_t i, double closure) const {
-    return closure < 1.0 ? 2.0 * opening * gap[i] * (1.0 - closure) : 0.0;
+    return closure < 1.0 ? 2.0 * full_gap(i) * (1.0 - closure) : 0.0;
   }
 
   /// t of a node that has no force, and lies behind by a distance.
   [[nodiscard]] double free_closure(std::size_t i, double behind) const {
-    return 1.0 - std::sqrt(std::max(0.0, behind) / (opening * gap[i]));
+    return 1.0 - std::sqrt(std::max(0.0, behind) / full_gap(i));
   }
 
-  /// Makes the gaps those of a contact that spreads (0), or shrinks by `rate` spacings per R/c. Where a lossy contact
-  /// shrinks, the law holds between f and g + η ġ (Ting 1966), and g + η ġ reaches g* at a smaller gap the faster the
-  /// edge recedes: at g*/(1 + (24 η rate)²), a fit (docs/theory/loss.md).
-  void recede(double rate);
+  /// Follows the edge of a lossy contact in a step, as the foremost node moves to a compression.
+  ///
+  /// An edge that passes a node in the time p meets the modulus E(p)/E(0), which its force takes while the contact
+  /// spreads. What it leaves behind was pressed for the time t since the node touched: force and gap then go with
+  /// E(t)/E(0), and the gap opens with E(p)/E(0) (docs/theory/loss.md). Where Kelvin and Voigt's contact shrinks, which
+  /// has no E(p), the law holds between f and g + η ġ (Ting 1966), and g + η ġ reaches g* at a smaller gap the faster
+  /// the edge recedes: at g*/(1 + (24 η/p)²), a fit.
+  /// @param half_width of the contact in spacings
+  void follow(double before, double now, double half_width, double step);
 
   /// Energy that the law of a node holds, ∫₀ᶠ g df.
   [[nodiscard]] double energy_at(std::size_t i, double closure) const;
 
   /// Distance in front of first contact from which a node of an unexcited body feels the law, R.
   [[nodiscard]] double range(const std::vector<double>& recess) const;
+
+ private:
+  [[nodiscard]] double modulus_at(double time) const;
+
+  double since_turn_ = 0.0;  // from spreading to shrinking, R/c
 };
 
 /// f* = 0.7145 κ h^{3/2}/D, g* = 0.6177 κ h^{3/2} with κ s^{3/2} the gap at a distance s from the edge of a Hertzian

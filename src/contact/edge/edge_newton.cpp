@@ -179,8 +179,8 @@ bool solve_zone(const EdgeLaw& law, EdgeZone& zone) {
   Vector& t = zone.closure;
   Vector full_force{}, full_gap{};
   for (std::size_t a = 0; a < zone.count; ++a) {
-    full_force[a] = law.force[zone.first + a];
-    full_gap[a] = law.opening * law.gap[zone.first + a];
+    full_force[a] = law.full_force(zone.first + a);
+    full_gap[a] = law.full_gap(zone.first + a);
   }
   for (int iteration = 0; iteration < most; ++iteration) {
     // Positive: W is positive definite, and of each node a force or a gap rises. Nodes beyond the last stay.
