@@ -102,6 +102,8 @@ void ModeTables::lose(const Contact& contact, Kicks kicks) {
   lossy.jump.resize(all, 1.0);
   lossy.speed.resize(all, 1.0);
   lossy.due.resize(all, 0.5);
+  lossy.work.resize(all);
+  lossy.heat.resize(all);
   place_decays(contact);
   for (std::size_t g = 0; g < size.size(); ++g) {
     const double loss = loss_time(contact, g);
@@ -124,6 +126,8 @@ void ModeTables::lose(const Contact& contact, Kicks kicks) {
       lossy.jump[k] = omega[k] / mode.frequency * mode.velocity;
       lossy.speed[k] = mode.frequency / omega[k];
       lossy.due[k] = mode.share_due(step);
+      (rates != nullptr ? lossy.work : lossy.heat)[k] =
+          rates != nullptr ? omega[k] : 2.0 * mode.gamma * omega[k] * step;
       for (std::size_t j = 0; j < mode.rate.size(); ++j) {
         const std::size_t at = decay(g, l, j);
         lossy.residue[at] = omega[k] * mode.residue[j];

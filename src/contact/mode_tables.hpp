@@ -40,7 +40,7 @@ struct ModeTables {
   struct Lossy {
     std::vector<LossyOscillator> mode;
     std::array<Rates, 2> rates{};  // of both bodies, without terms where it does not relax
-    std::vector<double> velocity_cosine, place, jump, speed, due;
+    std::vector<double> velocity_cosine, place, jump, speed, due, work, heat;
     std::vector<double> residue, kept, rate;            // of the decays
     std::vector<std::size_t> decay_begin, decay_count;  // of each block
   } lossy;

@@ -17,7 +17,7 @@ KeptModes::KeptModes(std::shared_ptr<const ModeTables> tables)
       b_(tables_->begin.back()),
       energy_sum_(tables_->begin.back()),
       decays_(tables_->lossy.kept.size()),
-      taken_(tables_->loses() ? tables_->blocks() * kernels::lanes : 0),
+      lost_(tables_->loses() ? tables_->blocks() * kernels::lanes : 0),
       push_(2 * tables_->blocks() * kernels::lanes),
       edge_(push_.size()),
       amplitude_(tables_->rows),
@@ -107,7 +107,7 @@ void KeptModes::begin() {
         decays_[at] += tables_->lossy.residue[at] * half;
       }
     }
-    if (tables_->loses()) taken_[g] = -half_work(g) - energy_of(g) / tables_->mass;
+    if (tables_->loses()) lost_[g] = -lost_now(g);
   }
 }
 
@@ -119,10 +119,10 @@ void KeptModes::advance() {
   const ModeTables::Lossy& its = tables_->lossy;
   kernels::advance_lossy(view(),
                          {its.velocity_cosine.data(), its.place.data(), its.jump.data(), its.speed.data(),
-                          its.due.data(), tables_->omega.data()},
+                          its.due.data(), its.work.data(), its.heat.data()},
                          {decays_.data(), its.residue.data(), its.kept.data(), its.rate.data(), its.decay_begin.data(),
                           its.decay_count.data()},
-                         tables_->begin.data(), tables_->blocks(), push_.data(), edge_.data(), taken_.data());
+                         tables_->begin.data(), tables_->blocks(), push_.data(), edge_.data(), lost_.data());
 }
 
 KeptModes KeptModes::in_flight(std::shared_ptr<const ModeTables> steps) const {
@@ -185,26 +185,23 @@ double KeptModes::energy_of(std::size_t group, std::size_t index) const {
          mode.energy(tables_->rates_of(group), a_[k], mode.frequency * b_[k], decaying, omega * kick(group, k));
 }
 
-double KeptModes::energy_of(std::size_t group) const {
-  double sum = 0.0;
-  for (std::size_t l = 0; l < tables_->size[group]; ++l) sum += energy_of(group, l);
-  return sum;
-}
-
 double KeptModes::dissipated(std::size_t begin, std::size_t end) const {
   double sum = 0.0;
-  for (std::size_t g = begin; g < end && tables_->loses(); ++g) {
-    sum -= tables_->mass * (taken_[g] + half_work(g)) + energy_of(g);
-  }
-  return sum;
+  for (std::size_t g = begin; g < end && tables_->loses(); ++g) sum += lost_[g] + lost_now(g);
+  return tables_->mass * sum;
 }
 
-double KeptModes::half_work(std::size_t group) const {
+/// With half of the kick that is due, and less by the energy that modes hold which relax.
+double KeptModes::lost_now(std::size_t group) const {
+  const ModeTables::Lossy& its = tables_->lossy;
   double sum = 0.0;
   for (std::size_t l = 0; l < tables_->size[group]; ++l) {
     const std::size_t k = tables_->position(group, l);
+    const double before = velocity_before(group, l), smooth = before - its.due[k] * kick(group, k);
+    sum += 0.5 * its.heat[k] * smooth * smooth;
+    if (tables_->rates_of(group) == nullptr) continue;
     const double half = 0.5 * kick(group, k);
-    sum += tables_->omega[k] * half * (velocity_before(group, l) - tables_->lossy.due[k] * half);
+    sum -= its.work[k] * half * (before - its.due[k] * half) + energy_of(group, l) / tables_->mass;
   }
   return sum;
 }

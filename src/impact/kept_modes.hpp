@@ -48,8 +48,9 @@ class KeptModes {
   /// Energy of all kept modes, Σ ½m(Q̇² + ω²Q²), of bodies that relax that of their springs.
   [[nodiscard]] double energy() const;
 
-  /// Energy that the modes of some groups have lost to their material so far: the work of the kicks less their energy,
-  /// with velocities between those before and after a kick, as the jumps between these would lose energy of their own.
+  /// Energy that the modes of some groups have lost to their material so far: ∫ 2γ Q̇² dt or, of modes that relax,
+  /// the work of the kicks less their energy; both in velocities between those before and after a kick, as the jumps
+  /// between these would lose energy of their own.
   [[nodiscard]] double dissipated(std::size_t begin, std::size_t end) const;
 
   /// Upper bound of the displacement of any node in free vibration, but for waves that run away.
@@ -79,15 +80,14 @@ class KeptModes {
   [[nodiscard]] double velocity(std::size_t group, std::size_t index) const;
   [[nodiscard]] double velocity_before(std::size_t group, std::size_t index) const;  // the kick
   [[nodiscard]] double energy_of(std::size_t group, std::size_t index) const;
-  [[nodiscard]] double energy_of(std::size_t group) const;
   template <typename Weight>
   [[nodiscard]] double sum_of_amplitudes(std::size_t begin, std::size_t end, Weight weight) const;
-  [[nodiscard]] double half_work(std::size_t group) const;
+  [[nodiscard]] double lost_now(std::size_t group) const;
 
   std::shared_ptr<const ModeTables> tables_;
   std::vector<double> a_, b_, energy_sum_;
   std::vector<double> decays_;     // what a lacks of the displacement, of bodies that relax
-  std::vector<double> taken_;      // by the kicks of each group in units of the mass, and less by its first energy
+  std::vector<double> lost_;       // by each group, in units of the mass, but for what the present step adds
   long samples_ = 0;               // of the energy
   std::vector<double> push_;       // velocity kick of a full step per unit amplitude; as kernels::advance has it
   std::vector<double> edge_;       // Σ C Q, then Σ S Q, over each group

@@ -53,7 +53,7 @@ void advance(const Oscillators& modes, const std::size_t* begin, std::size_t blo
 
 STOSS_MULTIVERSION
 void advance_lossy(const Oscillators& modes, const Losses& losses, const Decays& decays, const std::size_t* begin,
-                   std::size_t blocks, const double* push, double* edge, double* taken) {
+                   std::size_t blocks, const double* push, double* edge, double* lost) {
   const double* const push_lower = push + blocks * lanes;
   double* const edge_lower = edge + blocks * lanes;
   for (std::size_t block = 0; block < blocks; ++block) {
@@ -63,7 +63,7 @@ void advance_lossy(const Oscillators& modes, const Losses& losses, const Decays&
     std::size_t decay = decays.begin[block];
     Lanes upper_sum{};
     Lanes lower_sum{};
-    Lanes taken_sum{};
+    Lanes lost_sum{};
     for (std::size_t at = begin[block]; at < begin[block + 1]; at += lanes) {
       Lanes kick{};
       Lanes moved{};
@@ -93,12 +93,13 @@ void advance_lossy(const Oscillators& modes, const Losses& losses, const Decays&
         const std::size_t k = at + i;
         upper_sum[i] += modes.upper[k] * moved[i];
         lower_sum[i] += modes.lower[k] * moved[i];
-        taken_sum[i] += losses.omega[k] * kick[i] * (speed[i] - losses.due[k] * kick[i]);
+        const double smooth = speed[i] - losses.due[k] * kick[i];
+        lost_sum[i] += smooth * (losses.heat[k] * smooth - losses.work[k] * kick[i]);
       }
     }
     for (std::size_t i = 0; i < lanes; ++i) edge[block * lanes + i] = upper_sum[i];
     for (std::size_t i = 0; i < lanes; ++i) edge_lower[block * lanes + i] = lower_sum[i];
-    for (std::size_t i = 0; i < lanes; ++i) taken[block * lanes + i] += taken_sum[i];
+    for (std::size_t i = 0; i < lanes; ++i) lost[block * lanes + i] += lost_sum[i];
   }
 }
 

@@ -32,8 +32,9 @@ struct Losses {
   const double* place;
   const double* jump;
   const double* speed;
-  const double* due;    ///< share of the kick after which the velocity is that of smooth motion
-  const double* omega;  ///< that energies are weighted with
+  const double* due;   ///< share of the kick after which the velocity is that of smooth motion
+  const double* work;  ///< weight of kick times that velocity in what is lost
+  const double* heat;  ///< weight of its square
 };
 
 /// Motions z e^(−λt) that oscillators consist of besides: each block has `count` of them for every oscillator, one
@@ -47,10 +48,10 @@ struct Decays {
   const std::size_t* count;
 };
 
-/// The same for oscillators that lose energy, of which a + Σ z is the displacement. Adds to `taken` of each order the
-/// sum of ω times kick times velocity after the due share of the kick, in which it takes energy.
+/// The same for oscillators that lose energy, of which a + Σ z is the displacement. Adds to `lost` of each order the
+/// sum of heat v² − work k v, with the velocity v after the due share of the kick k.
 void advance_lossy(const Oscillators& modes, const Losses& losses, const Decays& decays, const std::size_t* begin,
-                   std::size_t blocks, const double* push, double* edge, double* taken);
+                   std::size_t blocks, const double* push, double* edge, double* lost);
 
 /// Adds the oscillators' energies a² + b², in units of mass ω/2, to energy[k], after half of the kick that is due.
 void accumulate_energy(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push,
