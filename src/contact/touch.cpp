@@ -23,8 +23,14 @@ Touch touch(const Contact& contact) {
 
 double loss_share(const Contact& contact) {
   const Touch met = touch(contact);
-  return met.loss_time > 0.0 ? contact.first->softness * contact.first->loss_time / (met.softness * met.loss_time)
-                             : 1.0;
+  if (met.loss_time > 0.0) return contact.first->softness * contact.first->loss_time / (met.softness * met.loss_time);
+  const auto relaxing = [&](int number) {
+    const auto body = body_of(contact, number);
+    return body == nullptr ? 0.0
+                           : body->softness * units_of(contact, number).softness * (1.0 - body->relaxation.relaxed());
+  };
+  const double first = relaxing(0), both = first + relaxing(1);
+  return both > 0.0 ? first / both : 1.0;
 }
 
 double touch_compression(const Contact& contact, const ContactGrid& grid) {

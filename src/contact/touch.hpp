@@ -17,7 +17,8 @@ struct Touch {
 
 [[nodiscard]] Touch touch(const Contact& contact);
 
-/// Share of the first body in what the material of both loses near the contact: losses go with η times the compression.
+/// Share of the first body in what the material of both loses near the contact: losses go with η times the
+/// compression, or with what relaxes of it.
 [[nodiscard]] double loss_share(const Contact& contact);
 
 /// Compression at which evenly spaced contact points with the edge law begin to push: they answer like a continuous

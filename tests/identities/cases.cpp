@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/plate.hpp"
@@ -15,7 +16,11 @@ namespace {
 struct Named {
   std::string name;
   Solid solid;
+  Relaxation relaxation{};
 };
+
+// Faster and slower than an impact.
+const Relaxation relaxes{{{0.3, 0.2}, {0.2, 3.0}}}, creeps{{{0.4, 8.0}}};
 
 struct Meeting {
   std::string name;
@@ -34,7 +39,10 @@ const std::vector<Named> bodies{{"disk_m50", Disk{-0.5}},
                                 {"sphere_49", Sphere{0.49}},
                                 {"lossy_disk", Disk{.poisson = 0.33, .loss_time = 0.1}},
                                 {"lossy_rod", Rod{.loss_time = 0.05}},
-                                {"lossy_sphere", Sphere{.poisson = 0.3, .loss_time = 0.1}}};
+                                {"lossy_sphere", Sphere{.poisson = 0.3, .loss_time = 0.1}},
+                                {"relaxing_disk", Disk{0.33}, relaxes},
+                                {"relaxing_rod", Rod{}, creeps},
+                                {"relaxing_sphere", Sphere{0.3}, relaxes}};
 
 const std::vector<Meeting> walls{{"static", false, Tail::quasistatic, {1e-3, 0.3}},
                                  {"radiating", false, Tail::radiating, {1e-3, 0.1, 0.3}},
@@ -51,12 +59,19 @@ const std::vector<Named> other_disks{{"small", Disk{0.2, 0.5, 2.0, 3.0}}, {"larg
 const std::vector<Named> other_spheres{{"small", Sphere{0.2, 0.5, 2.0, 3.0}}, {"large", Sphere{-0.3, 3.0, 0.5, 0.2}}};
 const std::vector<Named> other_rods{{"long", Rod{2.5, 1.0, 1.0, 1.0}}, {"thin", Rod{0.4, 2.0, 3.0, 0.2}}};
 
-// Partners of a lossy body: one that loses nothing, and one that loses more.
+// Partners of a lossy body: one that loses nothing, and one that loses more; of one that relaxes one of each kind.
 const std::vector<Named> beside_lossy_disks{{"small", Disk{0.2, 0.5, 2.0, 3.0}},
                                             {"large", Disk{-0.3, 3.0, 0.5, 0.2, 0.7}}};
 const std::vector<Named> beside_lossy_spheres{{"small", Sphere{0.2, 0.5, 2.0, 3.0}},
                                               {"large", Sphere{-0.3, 3.0, 0.5, 0.2, 0.7}}};
 const std::vector<Named> beside_lossy_rods{{"long", Rod{2.5, 1.0, 1.0, 1.0}}, {"thin", Rod{0.4, 2.0, 3.0, 0.2, 0.3}}};
+
+const std::vector<Named> beside_relaxing_disks{{"small", Disk{0.2, 0.5, 2.0, 3.0}, creeps},
+                                               {"large", Disk{-0.3, 3.0, 0.5, 0.2, 0.7}}};
+const std::vector<Named> beside_relaxing_spheres{{"small", Sphere{0.2, 0.5, 2.0, 3.0}, creeps},
+                                                 {"large", Sphere{-0.3, 3.0, 0.5, 0.2, 0.7}}};
+const std::vector<Named> beside_relaxing_rods{{"long", Rod{2.5, 1.0, 1.0, 1.0}},
+                                              {"thin", Rod{0.4, 2.0, 3.0, 0.2}, relaxes}};
 
 const Named half_plane_beside{"half_plane", Disk{0.2, 1.0, 2.0, 3.0}};
 const Named half_space_beside{"half_space", Sphere{0.2, 1.0, 2.0, 3.0}};
@@ -66,7 +81,11 @@ const Named lossy_half_space{"half_space", Sphere{0.2, 1.0, 2.0, 3.0, 0.03}};
 // Waves are back from their other face while they are met.
 constexpr double thickness = 1.5;
 const Named strip_beside{"strip", half_plane_beside.solid}, plate_beside{"plate", half_space_beside.solid};
+const Named relaxing_half_plane{"half_plane", half_plane_beside.solid, creeps};
+const Named relaxing_half_space{"half_space", half_space_beside.solid, creeps};
 const Named lossy_strip{"strip", lossy_half_plane.solid}, lossy_plate{"plate", lossy_half_space.solid};
+const Named relaxing_strip{"strip", half_plane_beside.solid, creeps};
+const Named relaxing_plate{"plate", half_space_beside.solid, creeps};
 
 double loss_time_of(const Solid& solid) {
   return std::visit([](const auto& body) { return body.loss_time; }, solid);
@@ -86,7 +105,8 @@ void add(const Named& first, const Named* second, const Meeting& meeting, std::v
     its.name = first.name + (second == nullptr ? "" : "_" + second->name) + "_" + meeting.name + "_" +
                std::to_string(std::lround(1000.0 * speed));
     its.first = first.solid;
-    if (second != nullptr) its.second = second->solid;
+    its.relaxation = first.relaxation;
+    if (second != nullptr) its.second = second->solid, its.second_relaxation = second->relaxation;
     its.half_space = half_space;
     its.thickness = of_plate;
     its.soft = meeting.soft;
@@ -97,16 +117,24 @@ void add(const Named& first, const Named* second, const Meeting& meeting, std::v
   }
 }
 
-const std::vector<Named>& others(const Solid& solid) {
+const std::vector<Named>& others(const Named& body) {
+  const Solid& solid = body.solid;
   const bool lossy = loss_time_of(solid) > 0.0;
+  if (!body.relaxation.terms.empty()) {
+    if (std::holds_alternative<Rod>(solid)) return beside_relaxing_rods;
+    return std::holds_alternative<Sphere>(solid) ? beside_relaxing_spheres : beside_relaxing_disks;
+  }
   if (std::holds_alternative<Rod>(solid)) return lossy ? beside_lossy_rods : other_rods;
   if (std::holds_alternative<Sphere>(solid)) return lossy ? beside_lossy_spheres : other_spheres;
   return lossy ? beside_lossy_disks : other_disks;
 }
 
 /// The half-space that a body meets; a rod meets none.
-const Named* half_space_for(const Solid& solid) {
+const Named* half_space_for(const Named& body) {
+  const Solid& solid = body.solid;
   const bool lossy = loss_time_of(solid) > 0.0;
+  if (body.name == "relaxing_sphere") return &relaxing_half_space;
+  if (body.name == "relaxing_disk") return &relaxing_half_plane;
   if (std::holds_alternative<Sphere>(solid)) return lossy ? &lossy_half_space : &half_space_beside;
   if (std::holds_alternative<Disk>(solid)) return lossy ? &lossy_half_plane : &half_plane_beside;
   return nullptr;
@@ -117,6 +145,8 @@ const Named* plate_for(const Named& body) {
   if (body.name == "sphere_30") return &plate_beside;
   if (body.name == "disk_33") return &strip_beside;
   if (body.name == "lossy_sphere") return &lossy_plate;
+  if (body.name == "relaxing_sphere") return &relaxing_plate;
+  if (body.name == "relaxing_disk") return &relaxing_strip;
   return body.name == "lossy_disk" ? &lossy_strip : nullptr;
 }
 
@@ -125,12 +155,12 @@ std::vector<Case> make_cases() {
   for (const Named& body : bodies) {
     const bool ball = std::holds_alternative<Sphere>(body.solid);
     for (const Meeting& wall : ball ? walls_of_spheres : walls) add(body, nullptr, wall, cases);
-    std::vector<Named> partners = others(body.solid);
-    partners.push_back({"same", body.solid});
+    std::vector<Named> partners = others(body);
+    partners.push_back({"same", body.solid, body.relaxation});
     for (const Named& partner : partners) {
       for (const Meeting& meeting : between_bodies) add(body, &partner, meeting, cases);
     }
-    if (const Named* solid = half_space_for(body.solid)) {
+    if (const Named* solid = half_space_for(body)) {
       for (const Meeting& meeting : between_bodies) add(body, solid, meeting, cases, true);
     }
     if (const Named* solid = plate_for(body)) {
@@ -197,10 +227,13 @@ std::vector<Case> rubbing(std::vector<Case> cases) {
 }
 
 bool is_lossy(const Case& its) {
+  if (!its.relaxation.terms.empty() || !its.second_relaxation.terms.empty()) return true;
   return loss_time_of(its.first) > 0.0 || (its.second && loss_time_of(*its.second) > 0.0);
 }
 
 bool is_rod(const Case& its) { return std::holds_alternative<Rod>(its.first); }
+
+namespace {
 
 BodyMaker maker(const Solid& solid) {
   if (const auto* slender = std::get_if<Rod>(&solid)) return rod(*slender);
@@ -208,17 +241,21 @@ BodyMaker maker(const Solid& solid) {
   return disk(std::get<Disk>(solid));
 }
 
+}  // namespace
+
 Contact contact_of(const Case& its) {
-  if (its.soft) return contact(maker(its.first)(its.cutoff, {}), ExponentialWall{500.0, 1.0});
-  if (its.half_space) return contact(maker(its.first), unbounded_of(its), its.cutoff, its.speed);
-  if (its.second) return contact(maker(its.first), maker(*its.second), its.cutoff);
-  return contact(maker(its.first)(its.cutoff, {}));
+  const BodyMaker first = relaxing(maker(its.first), its.relaxation);
+  if (its.soft) return contact(first(its.cutoff, {}), ExponentialWall{500.0, 1.0});
+  if (its.half_space) return contact(first, relaxing(unbounded_of(its), its.second_relaxation), its.cutoff, its.speed);
+  if (its.second) return contact(first, relaxing(maker(*its.second), its.second_relaxation), its.cutoff);
+  return contact(first(its.cutoff, {}));
 }
 
 Case swapped(const Case& its) {
   Case other = its;
   other.first = *its.second;
   other.second = its.first;
+  std::swap(other.relaxation, other.second_relaxation);
   other.speed *= wave_speed(its.first) / wave_speed(other.first);
   other.cutoff *= inverse_time(its.first) / inverse_time(other.first);
   return other;
@@ -241,6 +278,7 @@ Case in_units(const Case& its, double length, double modulus, double density) {
   Case other = its;
   other.first = measured(its.first);
   if (its.second) other.second = measured(*its.second);
+  if (its.half_space) other.second_relaxation = in_time(its.second_relaxation, length);  // in 1/c
   other.thickness *= length;
   return other;
 }

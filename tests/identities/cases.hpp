@@ -15,11 +15,12 @@ namespace stoss::test {
 struct Case {
   std::string name;
   Solid first;
-  std::optional<Solid> second;  ///< none: a wall
-  bool half_space = false;      ///< of the material of `second`, whose size means nothing
-  double thickness = 0.0;       ///< of a plate or strip in its stead; 0: a half-space or half-plane
-  bool soft = false;            ///< an exponential wall
-  Tail tail = Tail::radiating;  ///< at a hard wall and between two bodies
+  std::optional<Solid> second;               ///< none: a wall
+  Relaxation relaxation, second_relaxation;  ///< times in R/c of each body
+  bool half_space = false;                   ///< of the material of `second`, whose size means nothing
+  double thickness = 0.0;                    ///< of a plate or strip in its stead; 0: a half-space or half-plane
+  bool soft = false;                         ///< an exponential wall
+  Tail tail = Tail::radiating;               ///< at a hard wall and between two bodies
   double speed = 0.0;
   double cutoff = 0.0;
 };
@@ -42,8 +43,6 @@ inline void PrintTo(const Case& its, std::ostream* out) { *out << its.name; }
 
 /// Whether a material takes energy.
 [[nodiscard]] bool is_lossy(const Case& its);
-[[nodiscard]] BodyMaker maker(const Solid& solid);
-
 /// The contact of a case, its second body or its wall included.
 [[nodiscard]] Contact contact_of(const Case& its);
 
