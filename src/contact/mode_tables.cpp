@@ -90,7 +90,7 @@ void ModeTables::place_decays(const Contact& contact) {
     lossy.decay_count.push_back(count);
     all += (begin[block + 1] - begin[block]) * count;
   }
-  for (auto* each : {&lossy.residue, &lossy.kept, &lossy.rate}) each->resize(all);
+  for (auto* each : {&lossy.residue, &lossy.kept, &lossy.decay_rate}) each->resize(all);
 }
 
 void ModeTables::lose(const Contact& contact, Kicks kicks) {
@@ -100,10 +100,10 @@ void ModeTables::lose(const Contact& contact, Kicks kicks) {
   lossy.mode.resize(all);
   lossy.place.resize(all);
   lossy.jump.resize(all, 1.0);
-  lossy.speed.resize(all, 1.0);
+  lossy.speed.resize(all);
   lossy.due.resize(all, 0.5);
-  lossy.work.resize(all);
-  lossy.heat.resize(all);
+  lossy.rate.resize(all);
+  lossy.work_due.resize(size.size());
   place_decays(contact);
   for (std::size_t g = 0; g < size.size(); ++g) {
     const double loss = loss_time(contact, g);
@@ -124,15 +124,17 @@ void ModeTables::lose(const Contact& contact, Kicks kicks) {
       lossy.velocity_cosine[k] = velocity;
       lossy.place[k] = omega[k] * mode.place;
       lossy.jump[k] = omega[k] / mode.frequency * mode.velocity;
-      lossy.speed[k] = mode.frequency / omega[k];
+      lossy.speed[k] = mode.frequency;
       lossy.due[k] = mode.share_due(step);
-      (rates != nullptr ? lossy.work : lossy.heat)[k] =
-          rates != nullptr ? omega[k] : 2.0 * mode.gamma * omega[k] * step;
+      lossy.rate[k] = 2.0 * mode.gamma * omega[k] * step;
+      lossy.work_due[g].upper += omega[k] * lossy.due[k] * upper[k] * upper[k];
+      lossy.work_due[g].mixed += omega[k] * lossy.due[k] * upper[k] * lower[k];
+      lossy.work_due[g].lower += omega[k] * lossy.due[k] * lower[k] * lower[k];
       for (std::size_t j = 0; j < mode.rate.size(); ++j) {
         const std::size_t at = decay(g, l, j);
         lossy.residue[at] = omega[k] * mode.residue[j];
         lossy.kept[at] = std::exp(-mode.rate[j] * step);
-        lossy.rate[at] = mode.rate[j] / omega[k];
+        lossy.decay_rate[at] = mode.rate[j];
       }
     }
   }

@@ -36,15 +36,24 @@ struct ModeTables {
   std::vector<double> omega;         // 1 where there is no mode
   std::vector<double> cosine, sine;  // what a free step makes of a
   std::vector<double> upper, lower;  // weights over √ω
-  /// Of a contact that loses energy, else empty: each mode by itself, and what kernels::advance_lossy takes.
+  /// Of a contact that loses energy, else empty: each mode by itself, and what kernels::advance_damped takes and, of
+  /// the blocks with a body that relaxes, kernels::advance_relaxing.
   struct Lossy {
     std::vector<LossyOscillator> mode;
     std::array<Rates, 2> rates{};  // of both bodies, without terms where it does not relax
-    std::vector<double> velocity_cosine, place, jump, speed, due, work, heat;
-    std::vector<double> residue, kept, rate;            // of the decays
+    std::vector<double> velocity_cosine, due, rate;
+    std::vector<double> place, jump, speed;
+    std::vector<double> residue, kept, decay_rate;
     std::vector<std::size_t> decay_begin, decay_count;  // of each block
+    struct Due {
+      double upper = 0.0, mixed = 0.0, lower = 0.0;
+    };
+    std::vector<Due> work_due;  // of each group, per product of kicks: by the due share of kicks in their work
   } lossy;
   [[nodiscard]] bool loses() const { return !lossy.mode.empty(); }
+
+  /// Whether a block has decays.
+  [[nodiscard]] bool relaxes(std::size_t block) const { return lossy.decay_count[block] > 0; }
 
   /// Place of a decay in their arrays.
   [[nodiscard]] std::size_t decay(std::size_t group, std::size_t index, std::size_t number) const;

@@ -45,7 +45,8 @@ void KeptModes::set(const std::vector<double>& coordinate, const std::vector<dou
       const std::size_t k = tables_->position(g, l);
       a_[k] = std::sqrt(tables_->omega[k]) * (coordinate[mode] / tables_->amplitude_of[g]);
       b_[k] = momentum[mode] * tables_->amplitude_of[g] / (tables_->mass * std::sqrt(tables_->omega[k]));
-      if (tables_->loses()) b_[k] /= tables_->lossy.speed[k];  // of long standing: its decays are over
+      if (tables_->loses())
+        b_[k] *= tables_->omega[k] / tables_->lossy.speed[k];  // of long standing: its decays are over
       upper += tables_->upper[k] * a_[k];
       lower += tables_->lower[k] * a_[k];
     }
@@ -86,9 +87,9 @@ double KeptModes::velocity_before(std::size_t group, std::size_t index) const {
   double sum = tables_->lossy.speed[k] * b_[k];
   for (std::size_t j = 0; j < tables_->lossy.mode[k].rate.size(); ++j) {
     const std::size_t at = tables_->decay(group, index, j);
-    sum -= tables_->lossy.rate[at] * decays_[at];
+    sum -= tables_->lossy.decay_rate[at] * decays_[at];
   }
-  return sum;
+  return sum / tables_->omega[k];
 }
 
 void KeptModes::begin() {
@@ -116,13 +117,39 @@ void KeptModes::advance() {
     kernels::advance(view(), tables_->begin.data(), tables_->blocks(), push_.data(), edge_.data());
     return;
   }
+  for (std::size_t block = 0; block < tables_->blocks(); ++block) {
+    if (tables_->relaxes(block)) {
+      advance_relaxing(block);
+    } else {
+      kernels::advance_damped(
+          view(), {tables_->lossy.velocity_cosine.data(), tables_->lossy.rate.data(), tables_->lossy.due.data()},
+          tables_->begin.data(), tables_->blocks(), block, push_.data(), edge_.data(), lost_.data());
+    }
+  }
+}
+
+void KeptModes::advance_relaxing(std::size_t block) {
   const ModeTables::Lossy& its = tables_->lossy;
-  kernels::advance_lossy(view(),
-                         {its.velocity_cosine.data(), its.place.data(), its.jump.data(), its.speed.data(),
-                          its.due.data(), its.work.data(), its.heat.data()},
-                         {decays_.data(), its.residue.data(), its.kept.data(), its.rate.data(), its.decay_begin.data(),
-                          its.decay_count.data()},
-                         tables_->begin.data(), tables_->blocks(), push_.data(), edge_.data(), lost_.data());
+  const kernels::Relaxing relaxing{its.velocity_cosine.data(),
+                                   its.place.data(),
+                                   its.jump.data(),
+                                   its.speed.data(),
+                                   decays_.data(),
+                                   its.residue.data(),
+                                   its.kept.data(),
+                                   its.decay_rate.data(),
+                                   its.decay_begin[block],
+                                   its.decay_count[block]};
+  kernels::advance_relaxing(view(), relaxing, tables_->begin.data(), tables_->blocks(), block, push_.data(),
+                            edge_.data(), lost_.data());
+  const std::size_t end = std::min((block + 1) * kernels::lanes, tables_->size.size());
+  for (std::size_t g = block * kernels::lanes; g < end; ++g) lost_[g] += work_due(g, 1.0);
+}
+
+double KeptModes::work_due(std::size_t group, double share) const {
+  const ModeTables::Lossy::Due& its = tables_->lossy.work_due[group];
+  const double up = share * push_[group], low = share * push_[push_.size() / 2 + group];
+  return its.upper * up * up + 2.0 * its.mixed * up * low + its.lower * low * low;
 }
 
 KeptModes KeptModes::in_flight(std::shared_ptr<const ModeTables> steps) const {
@@ -150,18 +177,7 @@ void KeptModes::add_displacement(std::vector<double>& position) {
 }
 
 void KeptModes::accumulate_energy() {
-  if (decays_.empty()) {
-    kernels::accumulate_energy(view(), tables_->begin.data(), tables_->blocks(), push_.data(), energy_sum_.data());
-    return;
-  }
-  constexpr long rarely = 4;  // as it costs the square of the terms
-  if (samples_++ % rarely != 0) return;
-  for (std::size_t g = 0; g < tables_->size.size(); ++g) {
-    for (std::size_t l = 0; l < tables_->size[g]; ++l) {
-      const std::size_t k = tables_->position(g, l);
-      energy_sum_[k] += 2.0 * rarely * energy_of(g, l) / (tables_->mass * tables_->omega[k]);
-    }
-  }
+  kernels::accumulate_energy(view(), tables_->begin.data(), tables_->blocks(), push_.data(), energy_sum_.data());
 }
 
 double KeptModes::energy() const {
@@ -193,15 +209,17 @@ double KeptModes::dissipated(std::size_t begin, std::size_t end) const {
 
 /// With half of the kick that is due, and less by the energy that modes hold which relax.
 double KeptModes::lost_now(std::size_t group) const {
-  const ModeTables::Lossy& its = tables_->lossy;
-  double sum = 0.0;
+  const bool relaxes = tables_->relaxes(group / kernels::lanes);
+  double sum = relaxes ? work_due(group, 0.5) : 0.0;
   for (std::size_t l = 0; l < tables_->size[group]; ++l) {
     const std::size_t k = tables_->position(group, l);
-    const double before = velocity_before(group, l), smooth = before - its.due[k] * kick(group, k);
-    sum += 0.5 * its.heat[k] * smooth * smooth;
-    if (tables_->rates_of(group) == nullptr) continue;
-    const double half = 0.5 * kick(group, k);
-    sum -= its.work[k] * half * (before - its.due[k] * half) + energy_of(group, l) / tables_->mass;
+    const double before = velocity_before(group, l), due = kick(group, k);
+    if (relaxes) {
+      sum -= 0.5 * tables_->omega[k] * due * before + energy_of(group, l) / tables_->mass;
+    } else {
+      const double smooth = before - tables_->lossy.due[k] * due;
+      sum += 0.5 * tables_->lossy.rate[k] * smooth * smooth;
+    }
   }
   return sum;
 }

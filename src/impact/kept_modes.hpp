@@ -42,7 +42,7 @@ class KeptModes {
   /// Adds the displacement towards the wall of each node.
   void add_displacement(std::vector<double>& position);
 
-  /// Adds each mode's energy to a running sum.
+  /// Adds each mode's energy to a running sum, of bodies that relax that of its decaying rotation alone.
   void accumulate_energy();
 
   /// Energy of all kept modes, Σ ½m(Q̇² + ω²Q²), of bodies that relax that of their springs.
@@ -83,12 +83,13 @@ class KeptModes {
   template <typename Weight>
   [[nodiscard]] double sum_of_amplitudes(std::size_t begin, std::size_t end, Weight weight) const;
   [[nodiscard]] double lost_now(std::size_t group) const;
+  [[nodiscard]] double work_due(std::size_t group, double share) const;  // of the kick that is due
+  void advance_relaxing(std::size_t block);
 
   std::shared_ptr<const ModeTables> tables_;
   std::vector<double> a_, b_, energy_sum_;
   std::vector<double> decays_;     // what a lacks of the displacement, of bodies that relax
   std::vector<double> lost_;       // by each group, in units of the mass, but for what the present step adds
-  long samples_ = 0;               // of the energy
   std::vector<double> push_;       // velocity kick of a full step per unit amplitude; as kernels::advance has it
   std::vector<double> edge_;       // Σ C Q, then Σ S Q, over each group
   std::vector<double> amplitude_;  // of each shape in the motion; force on it

@@ -52,55 +52,95 @@ void advance(const Oscillators& modes, const std::size_t* begin, std::size_t blo
 }
 
 STOSS_MULTIVERSION
-void advance_lossy(const Oscillators& modes, const Losses& losses, const Decays& decays, const std::size_t* begin,
-                   std::size_t blocks, const double* push, double* edge, double* lost) {
-  const double* const push_lower = push + blocks * lanes;
-  double* const edge_lower = edge + blocks * lanes;
-  for (std::size_t block = 0; block < blocks; ++block) {
-    const Lanes upper_kick = load(push + block * lanes, 1.0);
-    const Lanes lower_kick = load(push_lower + block * lanes, 1.0);
-    const std::size_t count = decays.count[block];
-    std::size_t decay = decays.begin[block];
-    Lanes upper_sum{};
-    Lanes lower_sum{};
-    Lanes lost_sum{};
-    for (std::size_t at = begin[block]; at < begin[block + 1]; at += lanes) {
-      Lanes kick{};
-      Lanes moved{};
-      Lanes speed{};
+void advance_damped(const Oscillators& modes, const Damping& damping, const std::size_t* begin, std::size_t blocks,
+                    std::size_t block, const double* push, double* edge, double* lost) {
+  const Lanes upper_kick = load(push + block * lanes, 1.0);
+  const Lanes lower_kick = load(push + (blocks + block) * lanes, 1.0);
+  Lanes upper_sum{};
+  Lanes lower_sum{};
+  Lanes lost_sum{};
+  for (std::size_t at = begin[block]; at < begin[block + 1]; at += lanes) {
+    double* const a = modes.a + at;
+    double* const b = modes.b + at;
+    const double* const cosine = modes.cosine + at;
+    const double* const sine = modes.sine + at;
+    const double* const velocity = damping.velocity + at;
+    const double* const rate = damping.rate + at;
+    const double* const due = damping.due + at;
+    const double* const upper = modes.upper + at;
+    const double* const lower = modes.lower + at;
+#pragma omp simd
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const double before = a[i];
+      const double kick = upper[i] * upper_kick[i] + lower[i] * lower_kick[i];
+      const double kicked = b[i] - kick, between = b[i] - due[i] * kick;
+      const double after = before * cosine[i] + kicked * sine[i];
+      a[i] = after;
+      b[i] = kicked * velocity[i] - before * sine[i];
+      upper_sum[i] += upper[i] * after;
+      lower_sum[i] += lower[i] * after;
+      lost_sum[i] += rate[i] * between * between;
+    }
+  }
+  for (std::size_t i = 0; i < lanes; ++i) edge[block * lanes + i] = upper_sum[i];
+  for (std::size_t i = 0; i < lanes; ++i) edge[(blocks + block) * lanes + i] = lower_sum[i];
+  for (std::size_t i = 0; i < lanes; ++i) lost[block * lanes + i] += lost_sum[i];
+}
+
+STOSS_MULTIVERSION
+void advance_relaxing(const Oscillators& modes, const Relaxing& relaxing, const std::size_t* begin, std::size_t blocks,
+                      std::size_t block, const double* push, double* edge, double* lost) {
+  const Lanes upper_kick = load(push + block * lanes, 1.0);
+  const Lanes lower_kick = load(push + (blocks + block) * lanes, 1.0);
+  Lanes upper_sum{};
+  Lanes lower_sum{};
+  Lanes taken{};
+  std::size_t decay = relaxing.first;
+  for (std::size_t at = begin[block]; at < begin[block + 1]; at += lanes) {
+    double* const a = modes.a + at;
+    double* const b = modes.b + at;
+    const double* const cosine = modes.cosine + at;
+    const double* const sine = modes.sine + at;
+    const double* const velocity = relaxing.velocity + at;
+    const double* const place = relaxing.place + at;
+    const double* const jump = relaxing.jump + at;
+    const double* const of_b = relaxing.speed + at;
+    const double* const upper = modes.upper + at;
+    const double* const lower = modes.lower + at;
+    Lanes kick;
+    Lanes moved;
+    Lanes speed;
+#pragma omp simd
+    for (std::size_t i = 0; i < lanes; ++i) {
+      kick[i] = upper[i] * upper_kick[i] + lower[i] * lower_kick[i];
+      speed[i] = of_b[i] * b[i];
+      const double before = a[i] - place[i] * kick[i], kicked = b[i] - jump[i] * kick[i];
+      moved[i] = before * cosine[i] + kicked * sine[i];
+      a[i] = moved[i];
+      b[i] = kicked * velocity[i] - before * sine[i];
+    }
+    for (std::size_t j = 0; j < relaxing.count; ++j, decay += lanes) {
+      double* const z = relaxing.z + decay;
+      const double* const residue = relaxing.residue + decay;
+      const double* const kept = relaxing.kept + decay;
+      const double* const rate = relaxing.rate + decay;
 #pragma omp simd
       for (std::size_t i = 0; i < lanes; ++i) {
-        const std::size_t k = at + i;
-        kick[i] = modes.upper[k] * upper_kick[i] + modes.lower[k] * lower_kick[i];
-        speed[i] = losses.speed[k] * modes.b[k];
-        const double a = modes.a[k] - losses.place[k] * kick[i], b = modes.b[k] - losses.jump[k] * kick[i];
-        moved[i] = a * modes.cosine[k] + b * modes.sine[k];
-        modes.a[k] = moved[i];
-        modes.b[k] = b * losses.velocity[k] - a * modes.sine[k];
-      }
-      for (std::size_t j = 0; j < count; ++j, decay += lanes) {
-#pragma omp simd
-        for (std::size_t i = 0; i < lanes; ++i) {
-          const double z = decays.z[decay + i];
-          speed[i] -= decays.rate[decay + i] * z;
-          const double after = (z - decays.residue[decay + i] * kick[i]) * decays.kept[decay + i];
-          decays.z[decay + i] = after;
-          moved[i] += after;
-        }
-      }
-#pragma omp simd
-      for (std::size_t i = 0; i < lanes; ++i) {
-        const std::size_t k = at + i;
-        upper_sum[i] += modes.upper[k] * moved[i];
-        lower_sum[i] += modes.lower[k] * moved[i];
-        const double smooth = speed[i] - losses.due[k] * kick[i];
-        lost_sum[i] += smooth * (losses.heat[k] * smooth - losses.work[k] * kick[i]);
+        speed[i] -= rate[i] * z[i];
+        z[i] = (z[i] - residue[i] * kick[i]) * kept[i];
+        moved[i] += z[i];
       }
     }
-    for (std::size_t i = 0; i < lanes; ++i) edge[block * lanes + i] = upper_sum[i];
-    for (std::size_t i = 0; i < lanes; ++i) edge_lower[block * lanes + i] = lower_sum[i];
-    for (std::size_t i = 0; i < lanes; ++i) lost[block * lanes + i] += lost_sum[i];
+#pragma omp simd
+    for (std::size_t i = 0; i < lanes; ++i) {
+      upper_sum[i] += upper[i] * moved[i];
+      lower_sum[i] += lower[i] * moved[i];
+      taken[i] += kick[i] * speed[i];
+    }
   }
+  for (std::size_t i = 0; i < lanes; ++i) edge[block * lanes + i] = upper_sum[i];
+  for (std::size_t i = 0; i < lanes; ++i) edge[(blocks + block) * lanes + i] = lower_sum[i];
+  for (std::size_t i = 0; i < lanes; ++i) lost[block * lanes + i] -= taken[i];
 }
 
 STOSS_MULTIVERSION

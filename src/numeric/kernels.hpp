@@ -25,33 +25,37 @@ struct Oscillators {
 /// value for each order, first of the upper rows, then of the lower ones.
 void advance(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push, double* edge);
 
-/// What oscillators that lose energy have besides: a kick k moves a by place k and b by jump k, and b counts `speed`
-/// times in the velocity.
-struct Losses {
+/// What damped oscillators have besides.
+struct Damping {
   const double* velocity;  ///< what a free step leaves of b, where `cosine` says what it leaves of a
+  const double* rate;      ///< weight of b² in the power that is lost
+  const double* due;       ///< share of the kick after which b is the velocity of smooth motion
+};
+
+/// The same for damped oscillators in some blocks. Adds to `lost` of each order the sum of rate b² after the due share
+/// of the kick.
+void advance_damped(const Oscillators& modes, const Damping& damping, const std::size_t* begin, std::size_t blocks,
+                    std::size_t block, const double* push, double* edge, double* lost);
+
+/// What oscillators that relax have besides: decays z e^(−λt), of which each has `count`, one after another for each
+/// `lanes` oscillators from `first` on. Their displacement is a + Σ z, and `speed` b − Σ λ z is ω times their velocity.
+/// A kick k moves a by place k, b by jump k and z by residue k.
+struct Relaxing {
+  const double* velocity;  ///< as Damping has it
   const double* place;
   const double* jump;
   const double* speed;
-  const double* due;   ///< share of the kick after which the velocity is that of smooth motion
-  const double* work;  ///< weight of kick times that velocity in what is lost
-  const double* heat;  ///< weight of its square
-};
-
-/// Motions z e^(−λt) that oscillators consist of besides: each block has `count` of them for every oscillator, one
-/// after another for each `lanes` oscillators, from element `begin` on. A kick k moves z by residue k.
-struct Decays {
   double* z;
   const double* residue;
   const double* kept;  ///< e^(−λΔt)
-  const double* rate;  ///< λ/ω
-  const std::size_t* begin;
-  const std::size_t* count;
+  const double* rate;  ///< λ
+  std::size_t first, count;
 };
 
-/// The same for oscillators that lose energy, of which a + Σ z is the displacement. Adds to `lost` of each order the
-/// sum of heat v² − work k v, with the velocity v after the due share of the kick k.
-void advance_lossy(const Oscillators& modes, const Losses& losses, const Decays& decays, const std::size_t* begin,
-                   std::size_t blocks, const double* push, double* edge, double* lost);
+/// The same for oscillators of one block that relax. Takes from `lost` of each order the sum of ω times kick times
+/// velocity before it.
+void advance_relaxing(const Oscillators& modes, const Relaxing& relaxing, const std::size_t* begin, std::size_t blocks,
+                      std::size_t block, const double* push, double* edge, double* lost);
 
 /// Adds the oscillators' energies a² + b², in units of mass ω/2, to energy[k], after half of the kick that is due.
 void accumulate_energy(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push,
