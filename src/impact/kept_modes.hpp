@@ -82,6 +82,11 @@ class KeptModes {
   [[nodiscard]] double energy_of(std::size_t group, std::size_t index) const;
   template <typename Weight>
   [[nodiscard]] double sum_of_amplitudes(std::size_t begin, std::size_t end, Weight weight) const;
+  // Of bodies that lose energy.
+  void begin_lossy(std::size_t group);
+  void advance_lossy();
+  [[nodiscard]] double energy_of_lossy(std::size_t group, std::size_t index) const;
+  [[nodiscard]] double lossy_displacement_later(std::size_t group, std::size_t index, double time) const;
   [[nodiscard]] double lost_now(std::size_t group) const;
   [[nodiscard]] double work_due(std::size_t group, double share) const;  // of the kick that is due
   void advance_relaxing(std::size_t block);
