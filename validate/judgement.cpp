@@ -32,8 +32,9 @@ stoss::RefinableContact alone_or_paired(const Point& point) {
     if (!point.sphere) return stoss::disk(its);
     return stoss::sphere(stoss::Sphere{its.poisson, its.radius, its.young, its.density, its.loss_time});
   };
-  if (point.against) return stoss::RefinableContact(maker(disk), maker(*point.against));
-  return stoss::RefinableContact(maker(disk));
+  const stoss::BodyMaker first = relaxing(maker(disk), point.relaxation);
+  if (!point.against) return stoss::RefinableContact(first);
+  return stoss::RefinableContact(first, relaxing(maker(*point.against), point.against_relaxation));
 }
 
 }  // namespace
@@ -41,9 +42,10 @@ stoss::RefinableContact alone_or_paired(const Point& point) {
 Makers makers_of(const Point& point) {
   const stoss::Disk& solid = *point.against;
   const stoss::BodyMaker body = point.sphere ? stoss::sphere(point.poisson) : stoss::disk(point.poisson);
-  return {point.rigid ? stoss::rigid(body) : body,
-          point.sphere ? stoss::half_space(stoss::HalfSpace{solid.poisson, solid.young, solid.density})
-                       : stoss::half_plane(stoss::HalfPlane{solid.poisson, solid.young, solid.density})};
+  const stoss::BodyMaker met = point.sphere
+                                   ? stoss::half_space(stoss::HalfSpace{solid.poisson, solid.young, solid.density})
+                                   : stoss::half_plane(stoss::HalfPlane{solid.poisson, solid.young, solid.density});
+  return {point.rigid ? stoss::rigid(body) : relaxing(body, point.relaxation), relaxing(met, point.against_relaxation)};
 }
 
 Contacts make_contacts(const std::vector<Point>& points) {
@@ -53,7 +55,7 @@ Contacts make_contacts(const std::vector<Point>& points) {
     if (point.half_space) {
       const Makers makers = makers_of(point);
       contacts.emplace_back(makers.first, makers.second);
-    } else if (point.loss_time > 0.0 || point.temperature > 0.0) {
+    } else if (point.loss_time > 0.0 || !point.relaxation.terms.empty() || point.temperature > 0.0) {
       contacts.push_back(alone_or_paired(point));
     } else if (point.against) {
       contacts.emplace_back(stoss::disk(point.poisson), stoss::disk(*point.against));

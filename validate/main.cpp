@@ -74,6 +74,11 @@ int run(int argc, char** argv) {
     validate::make_lossy_reference(argv[2]);
     return 0;
   }
+  if (first == "--make-relaxing-reference" && argc == 3) {
+    validate::make_relaxing_reference(argv[2]);
+    return 0;
+  }
+  if (first == "--relaxing" && argc == 2) return validate::write_relaxing(std::cout) ? 0 : 1;
   if (first == "--make-vibrating-reference" && argc == 3) {
     validate::make_vibrating_reference(argv[2]);
     return 0;
@@ -86,18 +91,19 @@ int run(int argc, char** argv) {
   if (first == "--modal" && argc == 2) return validate::write_modal(std::cout) ? 0 : 1;
   if (argc == 1) return report("");
   if (argc == 2 && first.rfind(markdown, 0) == 0) return report(first.substr(markdown.size()));
-  std::cerr
-      << "usage: stoss_validate [--markdown=FILE | --plates | --modal]\n       stoss_validate --make-reference FILE\n"
-         "       stoss_validate --make-unseen-reference FILE\n"
-         "       stoss_validate --make-pair-reference FILE\n"
-         "       stoss_validate --make-sphere-reference FILE\n"
-         "       stoss_validate --make-half-space-reference FILE\n"
-         "       stoss_validate --make-plate-reference FILE\n"
-         "       stoss_validate --make-unseen-plate-reference FILE\n"
-         "       stoss_validate --make-modal-reference FILE\n"
-         "       stoss_validate --make-lossy-reference FILE\n"
-         "       stoss_validate --make-vibrating-reference FILE\n"
-         "       stoss_validate --make-oblique-reference FILE\n";
+  std::cerr << "usage: stoss_validate [--markdown=FILE | --plates | --modal | --relaxing]\n       stoss_validate "
+               "--make-reference FILE\n"
+               "       stoss_validate --make-unseen-reference FILE\n"
+               "       stoss_validate --make-pair-reference FILE\n"
+               "       stoss_validate --make-sphere-reference FILE\n"
+               "       stoss_validate --make-half-space-reference FILE\n"
+               "       stoss_validate --make-plate-reference FILE\n"
+               "       stoss_validate --make-unseen-plate-reference FILE\n"
+               "       stoss_validate --make-modal-reference FILE\n"
+               "       stoss_validate --make-lossy-reference FILE\n"
+               "       stoss_validate --make-relaxing-reference FILE\n"
+               "       stoss_validate --make-vibrating-reference FILE\n"
+               "       stoss_validate --make-oblique-reference FILE\n";
   return 2;
 }
 

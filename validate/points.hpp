@@ -3,9 +3,11 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
+#include "stoss/relaxation.hpp"
 #include "stoss/restitution/restitution.hpp"
 
 namespace validate {
@@ -35,6 +37,8 @@ struct Point {
   std::optional<stoss::Estimate> finite_elements;  ///< of ε
   bool sphere = false;                             ///< instead of a disk
   double loss_time = 0.0;                          ///< of the first body
+  stoss::Relaxation relaxation{};                  ///< of the first body
+  stoss::Relaxation against_relaxation{};          ///< of what it meets
   bool half_space = false;                         ///< is what it meets, of the material of `against`
   bool rigid = false;                              ///< is the first body
   double temperature = 0.0;                        ///< of the bodies before the impact (stoss::thermal)
@@ -62,6 +66,13 @@ std::vector<Point> read_half_spaces();
 
 /// Lossy spheres and disks: those of validate/data/reference_lossy.csv. @throws std::runtime_error as read_points
 std::vector<Point> read_lossy();
+
+/// Spheres and disks that relax: those of validate/data/reference_relaxing.csv. @throws std::runtime_error as
+/// read_points
+std::vector<Point> read_relaxing();
+
+/// "share:time+share:time", as a reference has it.
+std::string text_of(const stoss::Relaxation& relaxation);
 
 /// Disks, spheres and pairs that vibrate: those of validate/data/reference_vibrating.csv.
 /// @throws std::runtime_error as read_points

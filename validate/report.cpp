@@ -160,6 +160,26 @@ void write_points(std::ostream& out, const std::vector<Point>& points, const Ans
   for (std::size_t i = 0; i < points.size(); ++i) write_point(out, points[i], answers[i]);
 }
 
+void write_relaxing_points(std::ostream& out, const std::vector<Point>& points, const Answers& answers) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point& point = points[i];
+    const stoss::Estimate &reference = *point.reference[lost_fraction], &value = answers[i].value[lost_fraction];
+    const Deviation off = deviation(value, reference);
+    out << "| " << (point.sphere ? "sphere" : "disk") << " | " << text_of(point.relaxation) << " |"
+        << cell("%g", point.poisson);
+    if (point.against) {
+      out << cell("%g", point.against->poisson)
+          << (point.half_space ? std::string(" half-space |") : cell("%g", point.against->radius)) << " "
+          << text_of(point.against_relaxation) << " |";
+    } else {
+      out << " | | |";
+    }
+    out << cell("%.4g", point.speed) << cell("%.8f", reference.value) << cell("%.1e", reference.error)
+        << cell("%.8f", value.value) << cell("%.1e", value.error) << cell(off.padding ? "%.2f" : "%.2f u", off.ratio)
+        << cell("%.0f", answers[i].cutoff) << "\n";
+  }
+}
+
 Judged judge(const char* what, const std::vector<Point>& points) {
   const Contacts contacts = make_contacts(points);
   Judged judged{what, points, {}};
@@ -172,17 +192,29 @@ Judged judge(const char* what, const std::vector<Point>& points) {
 
 }  // namespace
 
+bool write_relaxing(std::ostream& out) {
+  const Judged relaxing = judge("relaxing", read_relaxing());
+  out << text::relaxing_tally;
+  write_tallies(out, relaxing.points, relaxing.answers);
+  for (const Answers& each : relaxing.answers) {
+    out << text::relaxing_points;
+    write_relaxing_points(out, relaxing.points, each);
+  }
+  return std::all_of(relaxing.answers.begin(), relaxing.answers.end(),
+                     [&](const Answers& each) { return honest(tally(relaxing.points, each, lost_fraction)); });
+}
+
 bool write_report(std::ostream& out) {
   const Judged wall = judge("wall", read_points()), unseen = judge("wall, unseen", read_unseen_points()),
                pairs = judge("pairs", read_pairs()), spheres = judge("spheres", read_spheres()),
                half_spaces = judge("half-spaces", read_half_spaces()), lossy = judge("lossy", read_lossy()),
-               vibrating = judge("vibrating", read_vibrating());
+               relaxing = judge("relaxing", read_relaxing()), vibrating = judge("vibrating", read_vibrating());
   const JudgedOblique oblique = judge_oblique();
   const JudgedPlates plates = judge_plates();
   out << text::introduction << text::verdict;
   bool all_honest = true;
   for (std::size_t i = 0; i < tolerances.size(); ++i) {
-    for (const Judged* judged : {&wall, &unseen, &pairs, &spheres, &half_spaces, &lossy, &vibrating}) {
+    for (const Judged* judged : {&wall, &unseen, &pairs, &spheres, &half_spaces, &lossy, &relaxing, &vibrating}) {
       write_verdict(out, *judged, i);
       all_honest = all_honest && honest(tally(judged->points, judged->answers[i], lost_fraction));
     }
@@ -203,6 +235,8 @@ bool write_report(std::ostream& out) {
   write_tallies(out, half_spaces.points, half_spaces.answers);
   out << text::lossy_tally;
   write_tallies(out, lossy.points, lossy.answers);
+  out << text::relaxing_tally;
+  write_tallies(out, relaxing.points, relaxing.answers);
   out << text::vibrating_tally;
   write_tallies(out, vibrating.points, vibrating.answers);
   write_finite_elements(out, wall.points, wall.answers[by_default]);
@@ -222,6 +256,8 @@ bool write_report(std::ostream& out) {
   write_points(out, half_spaces.points, half_spaces.answers[by_default]);
   out << text::lossy_points;
   write_points(out, lossy.points, lossy.answers[by_default]);
+  out << text::relaxing_points;
+  write_relaxing_points(out, relaxing.points, relaxing.answers[by_default]);
   out << text::vibrating_points;
   write_points(out, vibrating.points, vibrating.answers[by_default]);
   return all_honest && rod;

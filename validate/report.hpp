@@ -8,4 +8,7 @@ namespace validate {
 /// @throws std::runtime_error if a reference file cannot be read
 bool write_report(std::ostream& out);
 
+/// The same of bodies that relax alone, at every tolerance.
+bool write_relaxing(std::ostream& out);
+
 }  // namespace validate

@@ -41,17 +41,6 @@ void write_quantity(std::ostream& out, const ImpactRuns& runs, double stoss::Imp
   out << text.data();
 }
 
-ImpactRuns resolved_runs(const ReferencePoint& point, const Finenesses& finenesses) {
-  const double lowest = finenesses.front().cutoff;
-  const double first = point.vibration.empty() ? std::min(25.0, first_share * lowest) : lowest;
-  const stoss::Impact coarse = started(point.contact(first), point, {});
-  ImpactRuns runs;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    runs[i] = resolved(point.contact(finenesses[i].cutoff), point, finenesses[i], coarse.max_half_width);
-  }
-  return runs;
-}
-
 void write_quantities(std::ostream& out, const ImpactRuns& runs) {
   write_quantity(out, runs, &stoss::Impact::lost_fraction);
   write_quantity(out, runs, &stoss::Impact::contact_time,
@@ -70,6 +59,17 @@ stoss::Resolution finer(const stoss::Contact& contact, double speed, const Finen
   resolution.nodes = static_cast<int>(std::max(fewest_nodes, std::ceil(fineness.nodes * resolution.nodes.value())));
   resolution.step = std::min(fineness.step / contact.cutoff, contact.stable_step);
   return resolution;
+}
+
+ImpactRuns resolved_runs(const ReferencePoint& point, const Finenesses& finenesses) {
+  const double lowest = finenesses.front().cutoff;
+  const double first = point.vibration.empty() ? std::min(25.0, first_share * lowest) : lowest;
+  const stoss::Impact coarse = started(point.contact(first), point, {});
+  ImpactRuns runs;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    runs[i] = resolved(point.contact(finenesses[i].cutoff), point, finenesses[i], coarse.max_half_width);
+  }
+  return runs;
 }
 
 void write_reference(const std::string& path, const std::string& header, const std::vector<ReferencePoint>& points,

@@ -40,6 +40,9 @@ void write_reference(const std::string& path, const std::string& header, const s
 /// The runs at one point.
 using ImpactRuns = std::array<stoss::Impact, 3>;
 
+/// Those of restitution() refined.
+ImpactRuns resolved_runs(const ReferencePoint& point, const Finenesses& finenesses);
+
 /// The same of runs made otherwise. Points where they do not end are said, and left out.
 /// @throws std::runtime_error as above
 void write_reference(const std::string& path, const std::string& header, const std::vector<std::string>& places,

@@ -88,6 +88,13 @@ The same for lossy spheres and disks, at the wall and in pairs:
 |---:|---|---:|---:|---:|---:|---:|---:|
 )";
 
+inline constexpr const char* relaxing_tally = R"(
+The same for spheres and disks of materials that relax, at the wall, in pairs and on half-spaces:
+
+| tolerance | quantity | points | within | strictly | maximum | error / true error | blurred |
+|---:|---|---:|---:|---:|---:|---:|---:|
+)";
+
 inline constexpr const char* vibrating_tally = R"(
 The same for vibrating disks and spheres, at the wall and in pairs. Their contact time jumps where a
 first or a last grazing contact is made or not:
@@ -158,6 +165,15 @@ inline constexpr const char* lossy_points = R"(
 
 | body | η | ν | η₂ | ν₂ | R₂ | v | 1−ε², reference | uncertainty | 1−ε² | error | ratio | cutoff |
 |---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|
+)";
+
+inline constexpr const char* relaxing_points = R"(
+## All bodies that relax at the default tolerance
+
+Shares of E(0) with their times in R/c, and ν, of the first; ν, R and terms of the second, where there is one.
+
+| body | terms | ν | ν₂ | R₂ | terms₂ | v | 1−ε², reference | uncertainty | 1−ε² | error | ratio | cutoff |
+|---|---|---:|---:|---:|---|---:|---:|---:|---:|---:|---:|---:|
 )";
 
 inline constexpr const char* vibrating_points = R"(
