@@ -78,13 +78,16 @@ void ModeTables::place_rows(const Contact& contact) {
   }
 }
 
-/// Each block has as many decays for every mode as that of its groups with the most terms.
+/// Each block has as many decays for every mode as that of its groups with the most terms; beside a body that relaxes
+/// one with a loss time has one that nothing moves, so that it is counted alike in every block.
 void ModeTables::place_decays(const Contact& contact) {
   std::size_t all = 0;
+  const bool relaxes = !lossy.rates[0].rate.empty() || !lossy.rates[1].rate.empty();
   for (std::size_t block = 0; block < blocks(); ++block) {
     std::size_t count = 0;
     for (std::size_t g = block * lanes; g < std::min((block + 1) * lanes, contact.groups.size()); ++g) {
       if (const Rates* rates = rates_of(g)) count = std::max(count, rates->rate.size());
+      if (relaxes && loss_time(contact, g) > 0.0) count = std::max<std::size_t>(count, 1);
     }
     lossy.decay_begin.push_back(all);
     lossy.decay_count.push_back(count);

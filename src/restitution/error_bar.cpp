@@ -60,7 +60,7 @@ Missing missing_of_balls(double cutoff, double speed) {
 /// Share of the error by nodes that is left where each of them relaxes while the edge passes it: n nodes in a time t,
 /// 2 η n/t or some τ n/t of them in the time of relaxation. Each term counts as it loses in an impact.
 double left_by_relaxing(const Contact& contact, double nodes, double duration) {
-  constexpr double relaxing = 0.7, always = 0.05;  // fits
+  constexpr double relaxing = 0.7, always = 0.03;  // fits
   const double loss_time = touch(contact).loss_time, viscous = 1.0 + 2.0 * loss_time * nodes / duration;
   double sum = 0.0, whole = 0.0;
   for (int number = 0; number < 2; ++number) {

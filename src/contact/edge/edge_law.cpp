@@ -54,15 +54,15 @@ void EdgeLaw::follow(double before, double now, double half_width, double step) 
   const double left = std::max(now, least * std::abs(before));
   const double rate = 0.5 * std::max(half_width, 0.5) * (now - before) / (left * step);  // of spacings
   if (rate >= 0.0) {
-    since_turn_ = 0.0;
+    shrinking = 0.0;
     opening = 1.0;
     firmness = rate > 0.0 ? modulus_at(1.0 / rate) : 1.0;
     return;
   }
   constexpr double constant = 24.0;
   const double passing = constant * loss_time * rate;
-  since_turn_ += step;
-  firmness = modulus_at(2.0 * since_turn_);
+  shrinking += step;
+  firmness = modulus_at(2.0 * shrinking);
   opening = std::max(least, std::min(1.0, firmness / modulus_at(-1.0 / rate)) / (1.0 + passing * passing));
 }
 

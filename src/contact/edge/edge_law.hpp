@@ -31,6 +31,7 @@ struct EdgeLaw {
   std::vector<Relaxing> relaxing{};  ///< bodies of what meets
   double firmness = 1.0;             ///< by which all f* are multiplied at present (follow)
   double opening = 1.0;              ///< the same of all g*
+  double shrinking = 0.0;            ///< for so long, R/c
 
   /// Whether the law follows the edge of a lossy contact.
   [[nodiscard]] bool follows() const { return loss_time > 0.0 || !relaxing.empty(); }
@@ -38,6 +39,9 @@ struct EdgeLaw {
   /// f* and g* of a node at present.
   [[nodiscard]] double full_force(std::size_t i) const { return firmness * force[i]; }
   [[nodiscard]] double full_gap(std::size_t i) const { return opening * gap[i]; }
+
+  /// E/E(0) of what meets, some time after it was pressed.
+  [[nodiscard]] double modulus_at(double time) const;
 
   /// f for any closure: none below 0, as rigid contact needs it above 1.
   [[nodiscard]] double force_at(std::size_t i, double closure) const {
@@ -79,11 +83,6 @@ struct EdgeLaw {
 
   /// Distance in front of first contact from which a node of an unexcited body feels the law, R.
   [[nodiscard]] double range(const std::vector<double>& recess) const;
-
- private:
-  [[nodiscard]] double modulus_at(double time) const;
-
-  double since_turn_ = 0.0;  // from spreading to shrinking, R/c
 };
 
 /// f* = 0.7145 κ h^{3/2}/D, g* = 0.6177 κ h^{3/2} with κ s^{3/2} the gap at a distance s from the edge of a Hertzian
