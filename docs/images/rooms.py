@@ -29,7 +29,7 @@ ARROWS = {
     "encounter": ("prediction",),
     "bodies": ("restitution", "quasistatic"),
 }
-FOUNDATION = "numeric, errors, poll, material: all rooms stand on them"
+FOUNDATION = "numeric, relaxation, errors, poll, material: all rooms stand on them"
 
 
 def text(x, y, content, size=12, weight="normal"):
