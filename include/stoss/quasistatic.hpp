@@ -11,6 +11,7 @@
 #include "stoss/quasistatic/point_hertz.hpp"
 #include "stoss/quasistatic/point_lossy_impact.hpp"
 #include "stoss/quasistatic/rayleigh.hpp"
+#include "stoss/quasistatic/relaxing_impact.hpp"
 #include "stoss/quasistatic/slow_impact.hpp"
 #include "stoss/quasistatic/static_contact.hpp"
 #include "stoss/quasistatic/yield.hpp"
