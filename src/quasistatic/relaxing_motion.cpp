@@ -184,7 +184,7 @@ class Course {
       const Edge its = edge(touched, now, whole);
       (its.force > 0.0 ? low : high) = touched;
       const double step = its.force / (its.modulus * its.speed);
-      // Newton's step is half of what F misses per b: (3/2) f db, with 2b db = δ̇ dt₁
+      // F misses (3/2) f db at most, where 2b db = δ̇ dt₁
       if (std::abs(its.force * step * its.speed) < 1e-18 || !(low < 0.5 * (low + high) && 0.5 * (low + high) < high)) {
         return its.total;
       }

@@ -19,17 +19,17 @@ using namespace quasistatic;
 
 namespace {
 
-constexpr double mass = 4.0 * std::numbers::pi / 3.0;
+constexpr double ball_mass = 4.0 * std::numbers::pi / 3.0;
 
-RelaxingContact ball(const Relaxation& relaxation, double poisson = 0.3) {
-  return {1.0, {{{1.0 - poisson * poisson, relaxation}}}, mass};
+RelaxingContact ball_that_relaxes(const Relaxation& relaxation, double poisson = 0.3) {
+  return {1.0, {{{1.0 - poisson * poisson, relaxation}}}, ball_mass};
 }
 
-RelaxingMotion motion(const Relaxation& relaxation, double error = 2e-15) {
+RelaxingMotion motion_of(const Relaxation& relaxation, double error = 2e-15) {
   return relaxing_motion(Rates(relaxation), error);
 }
 
-Relaxation twenty() {
+Relaxation twenty_terms() {
   Relaxation relaxation;
   for (int j = 0; j < 20; ++j) relaxation.terms.push_back({0.04, 1e-6 * std::pow(4.0, j)});
   return relaxation;
@@ -37,8 +37,8 @@ Relaxation twenty() {
 
 TEST(PointRelaxingImpact, OfNoTermsIsHertz) {
   for (const double speed : {1e-8, 1e-3}) {
-    const RelaxingImpact impact = relaxing_impact(ball({}), speed);
-    const LossyImpact hertz = lossy_impact(LossyLaw::ting, {{1.0, 0.91}, mass, 0.0}, speed);
+    const RelaxingImpact impact = relaxing_impact(ball_that_relaxes({}), speed);
+    const LossyImpact hertz = lossy_impact(LossyLaw::ting, {{1.0, 0.91}, ball_mass, 0.0}, speed);
     EXPECT_NEAR(impact.restitution, 1.0, 1e-14);
     EXPECT_NEAR(impact.contact_time / hertz.contact_time, 1.0, 1e-14);
     EXPECT_NEAR(impact.max_compression / hertz.max_compression, 1.0, 1e-14);
@@ -47,13 +47,13 @@ TEST(PointRelaxingImpact, OfNoTermsIsHertz) {
 }
 
 TEST(PointRelaxingImpact, IsElasticFarFromItsTimes) {
-  const RelaxingMotion hertz = motion({}), slow = motion({{{0.5, 1e12}}}), fast = motion({{{0.5, 1e-12}}});
+  const RelaxingMotion hertz = motion_of({}), slow = motion_of({{{0.5, 1e12}}}), fast = motion_of({{{0.5, 1e-12}}});
   EXPECT_NEAR(slow.restitution, 1.0, 1e-11);
   EXPECT_NEAR(slow.contact_time, hertz.contact_time, 1e-11);
   EXPECT_NEAR(fast.restitution, 1.0, 1e-11);
   EXPECT_NEAR(fast.contact_time / hertz.contact_time, std::pow(2.0, 0.4), 1e-11);  // that of E∞
   EXPECT_NEAR(fast.max_force / hertz.max_force, std::pow(2.0, -0.4), 1e-11);
-  for (const double time : {1e-30, 1e30}) EXPECT_NEAR(motion({{{0.5, time}}}).restitution, 1.0, 1e-14);
+  for (const double time : {1e-30, 1e30}) EXPECT_NEAR(motion_of({{{0.5, time}}}).restitution, 1.0, 1e-14);
 }
 
 // E∞ with a fast term is a spring and a dashpot, η = E_jτ/E∞, but for the first power of τ and what is left of it.
@@ -62,7 +62,7 @@ TEST(PointRelaxingImpact, OfAFastTermIsThatOfKelvinAndVoigt) {
     const double loss_time = x / 1.5;  // in the unit of time of E∞
     const auto value = [&](double time) {
       const double whole = 1.0 + loss_time / time;
-      return motion({{{1.0 - 1.0 / whole, time * std::pow(whole, 0.4)}}}).restitution;
+      return motion_of({{{1.0 - 1.0 / whole, time * std::pow(whole, 0.4)}}}).restitution;
     };
     const double viscous = lossy_motion(LossyLaw::ting, x).restitution;
     constexpr double time = 1e-4;
@@ -113,7 +113,7 @@ TEST(PointRelaxingImpact, HasItsFirstOrder) {
           0.0, place, 1e-9);
     };
     const double expected = 6.0 * share * outer.integrate(springs, 0.0, deepest, 1e-8);
-    const double restitution = motion({{{share, time}}}).restitution;
+    const double restitution = motion_of({{{share, time}}}).restitution;
     EXPECT_NEAR((1.0 - restitution) * (1.0 + restitution), expected, 4.0 * share * expected + 1e-14) << time;
   }
 }
@@ -127,10 +127,10 @@ TEST(PointRelaxingImpact, HasConverged) {
                                 {{{0.999, 0.1}}},
                                 {{{0.3, 1.0}, {0.3, 1.0 + 1e-7}}},
                                 {{{0.5, 1.0}, {0.5, 4.0}}},
-                                twenty()}) {
-    const RelaxingMotion best = motion(its);
+                                twenty_terms()}) {
+    const RelaxingMotion best = motion_of(its);
     for (const double error : {1e-12, 1e-10}) {
-      const RelaxingMotion coarse = motion(its, error);
+      const RelaxingMotion coarse = motion_of(its, error);
       EXPECT_NEAR((1.0 - coarse.restitution) / (1.0 - best.restitution), 1.0, error == 1e-10 ? 1e-6 : 1e-8);
       EXPECT_NEAR(coarse.max_force / best.max_force, 1.0, 1e-8);
       EXPECT_NEAR(coarse.contact_time / best.contact_time, 1.0, 1e-8);
@@ -140,8 +140,8 @@ TEST(PointRelaxingImpact, HasConverged) {
 
 TEST(PointRelaxingImpact, HasTheUnitsOfItsBodies) {
   // The speed enters with the times over (m/k)^{2/5} v^{−1/5} alone.
-  const RelaxingImpact slow = relaxing_impact(ball({{{0.5, 32.0}}}), 1e-7);
-  const RelaxingImpact fast = relaxing_impact(ball({{{0.5, 16.0}}}), 32e-7);
+  const RelaxingImpact slow = relaxing_impact(ball_that_relaxes({{{0.5, 32.0}}}), 1e-7);
+  const RelaxingImpact fast = relaxing_impact(ball_that_relaxes({{{0.5, 16.0}}}), 32e-7);
   EXPECT_NEAR(slow.restitution, fast.restitution, 1e-13);
   EXPECT_NEAR(slow.contact_time / fast.contact_time, 2.0, 1e-13);
   EXPECT_NEAR(slow.max_force / fast.max_force, std::pow(32.0, -1.2), 1e-13);
@@ -151,8 +151,8 @@ TEST(PointRelaxingImpact, HasTheUnitsOfItsBodies) {
 TEST(PointRelaxingImpact, OfTwoBodiesAddsTheirCompliances) {
   const Relaxation its{{{0.4, 10.0}, {0.3, 80.0}}};
   // Two equal bodies that meet at 2v are one at a wall at v.
-  const RelaxingImpact wall = relaxing_impact(ball(its), 1e-5);
-  const RelaxingImpact pair = relaxing_impact({2.0, {{{0.91, its}, {0.91, its}}}, 0.5 * mass}, 2e-5);
+  const RelaxingImpact wall = relaxing_impact(ball_that_relaxes(its), 1e-5);
+  const RelaxingImpact pair = relaxing_impact({2.0, {{{0.91, its}, {0.91, its}}}, 0.5 * ball_mass}, 2e-5);
   EXPECT_NEAR(pair.restitution, wall.restitution, 1e-13);
   EXPECT_NEAR(pair.max_compression / wall.max_compression, 2.0, 1e-13);
   EXPECT_NEAR(pair.max_force / wall.max_force, 1.0, 1e-13);
@@ -161,16 +161,17 @@ TEST(PointRelaxingImpact, OfTwoBodiesAddsTheirCompliances) {
   const double p = (softness + relaxed * others) / (softness + others);
   for (const bool first : {true, false}) {
     const RelaxingSide lossy{softness, {{{1.0 - relaxed, time}}}}, elastic{others, {}};
-    const RelaxingImpact both = relaxing_impact({1.0, {first ? lossy : elastic, first ? elastic : lossy}, mass}, 1e-5);
+    const RelaxingImpact both =
+        relaxing_impact({1.0, {first ? lossy : elastic, first ? elastic : lossy}, ball_mass}, 1e-5);
     const RelaxingImpact one =
-        relaxing_impact({1.0, {{{softness + others, {{{1.0 - relaxed / p, time / p}}}}}}, mass}, 1e-5);
+        relaxing_impact({1.0, {{{softness + others, {{{1.0 - relaxed / p, time / p}}}}}}, ball_mass}, 1e-5);
     EXPECT_NEAR(both.restitution, one.restitution, 1e-13);
     EXPECT_NEAR(both.contact_time / one.contact_time, 1.0, 1e-13);
   }
   // Both materials with forty terms in all.
-  Relaxation shifted = twenty();
+  Relaxation shifted = twenty_terms();
   for (RelaxationTerm& term : shifted.terms) term.time *= 1.7;
-  const RelaxingContact forty{1.0, {{{0.5, twenty()}, {0.5, shifted}}}, mass};
+  const RelaxingContact forty{1.0, {{{0.5, twenty_terms()}, {0.5, shifted}}}, ball_mass};
   EXPECT_NEAR(relaxing_impact(forty, 1.0).restitution, 0.9, 0.1);
 }
 
@@ -179,14 +180,14 @@ TEST(PointRelaxingImpact, RefusesWhatIsOutOfRange) {
   const auto of = [](const RelaxingContact& contact, double speed = 1e-3) {
     return [contact, speed] { (void)relaxing_impact(contact, speed); };
   };
-  test::expect_refusal(of(ball({{{1.5, 1.0}}})), {"relaxation", "1.5"});
-  test::expect_refusal(of(ball({{{0.5, 0.0}}})), {"relaxation", "times above 0"});
-  test::expect_refusal(of({1.0, {{{-1.0, {}}}}, mass}), {"softness", "-1"});
-  test::expect_refusal(of({1.0, {}, mass}), {"softness", "1/E*"});
-  test::expect_refusal(of({0.0, {{{1.0, {}}}}, mass}), {"curvature"});
+  test::expect_refusal(of(ball_that_relaxes({{{1.5, 1.0}}})), {"relaxation", "1.5"});
+  test::expect_refusal(of(ball_that_relaxes({{{0.5, 0.0}}})), {"relaxation", "times above 0"});
+  test::expect_refusal(of({1.0, {{{-1.0, {}}}}, ball_mass}), {"softness", "-1"});
+  test::expect_refusal(of({1.0, {}, ball_mass}), {"softness", "1/E*"});
+  test::expect_refusal(of({0.0, {{{1.0, {}}}}, ball_mass}), {"curvature"});
   test::expect_refusal(of({1.0, {{{1.0, {}}}}, nan}), {"mass", "nan"});
-  test::expect_refusal(of(ball({}), 0.0), {"speed"});
-  EXPECT_THROW((void)motion({{{1.0, 1e-9}}}), NotConverged);  // it sinks in
+  test::expect_refusal(of(ball_that_relaxes({}), 0.0), {"speed"});
+  EXPECT_THROW((void)motion_of({{{1.0, 1e-9}}}), NotConverged);  // it sinks in
 }
 
 }  // namespace

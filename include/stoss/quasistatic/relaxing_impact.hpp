@@ -4,10 +4,10 @@
 
 #include "stoss/relaxation.hpp"
 
-/// Impact of round bodies of materials that relax, where nothing but the contact dissipates: Hertz' contact as a row of
-/// independent springs of the elongation δ − x²/R, each with the memory of the materials, 1/E*(s) = Σ 1/(E*_k M_k(s))
-/// of both, and released when its force is zero (T. C. T. Ting, J. Appl. Mech. 33, 845, 1966). With E*(t) of the
-/// contact
+/// Impact of round bodies of materials that relax, where nothing but the contact dissipates.
+///
+/// Hertz' contact is a row of independent springs of the elongation δ − x²/R. Each has the memory of both materials,
+/// 1/E*(s) = Σ 1/(E*_k M_k(s)), and lets go when its force is zero (T. C. T. Ting, J. Appl. Mech. 33, 845, 1966):
 ///
 ///   growing contact     F = (4/3) √R ∫₀ᵗ E*(t − t′) dδ^{3/2}
 ///   shrinking contact   F = (4/3) √R ∫₀^{t₁} E*(t − t′) dδ^{3/2},   ∫_{t₁}ᵗ E*(t − t′) dδ = 0
@@ -18,7 +18,7 @@ namespace stoss::quasistatic {
 /// One of two round bodies in a contact that relaxes.
 struct RelaxingSide {
   double softness = 0.0;    ///< (1 − ν²)/E(0), 0 of a rigid one
-  Relaxation relaxation{};  ///< times in R/c
+  Relaxation relaxation{};  ///< times in R/c of the body in whose units all is
 };
 
 /// What a contact knows of bodies that relax, in units of one of them: R, ρ, E(0) and c = √(E(0)/ρ). A ball at a hard
