@@ -40,11 +40,11 @@ struct RelaxingImpact {
   double max_force = 0.0;        ///< E(0)R²; while the contact grows
 };
 
-/// Impact of round bodies that relax by Ting's law, to 1e-13 of the speed: what waves leave of an impact as it becomes
-/// slower.
+/// Impact of round bodies that relax by Ting's law: the limit of an impact with waves as it becomes slower.
 ///
-/// Halved and doubled steps agree, elastic bodies have Hertz' impact, and a fast term tends to lossy_impact by Ting's
-/// law, all to 1e-13. A value takes some 4 ms with one term, 40 ms with twenty.
+/// ε is right to 1e-13, the rest to 1e-13 of itself, but for a time of contact where ε is below 0.01, to 1e-9. Measured
+/// with 600 random materials of up to 8 terms, shares of up to 1 − 1e-6 and times over 18 decades, against errors of a
+/// step that are 500 times as large. A value takes some 4 ms with one term, 40 ms with twenty.
 /// @param speed of approach, 1e-100 to 1e100 c
 /// @throws InvalidInput outside this range, for a curvature, mass or sum of softnesses outside 1e-100 … 1e100, for a
 ///         negative softness, and as validate(Relaxation); NotConverged where so much flows that the ball stays
