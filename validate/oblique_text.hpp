@@ -11,7 +11,7 @@ judged in the same way by `validate/data/reference_oblique.csv`: that of ε_t is
 The tolerance is the error of s′ over the larger one of |s| and μ v. All together must meet
 conditions 1 and 2, and with s′ condition 3 at 10⁻². At 10⁻³ the references of disks with little
 friction blur; where they are sharp the true error is small, and the stated one that of the contact
-points. ε of spheres is that of central impacts.
+points. ε of spheres follows from the normal impacts of s′, with the error of central ones.
 
 | tolerance | bodies | quantity | points | within | strictly | maximum | error / true error | blurred |
 |---:|---|---|---:|---:|---:|---:|---:|---:|

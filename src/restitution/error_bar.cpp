@@ -7,60 +7,64 @@
 
 #include "contact/touch.hpp"
 #include "contact/unit_ratios.hpp"
+#include "restitution/calibration.hpp"
 #include "restitution/ladder/climb.hpp"
+#include "restitution/loss_shares.hpp"
 
 namespace stoss {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
-/// How the error of a quantity other than 1 − ε² follows from the differences of runs.
-struct Bar {
-  double order;   ///< at which it falls with the cutoff, at most
-  double safety;  ///< by which the maximum difference is multiplied
-};
-constexpr Bar instant{1.5, 5.0};     // at which waves open or close the contact once more
-constexpr Bar rough{1.5, 4.0};       // the peak of a force that jumps about
-constexpr Bar rougher{1.0, 4.0};     // of a ball on a half-space or a plate
-constexpr Bar last_touch{1.0, 4.0};  // of a ball that a plate follows: short waves delay it
-constexpr Bar smooth{2.0, 6.0};      // what is integrated twice, or between two parts of the impulse
-
 /// What 1 − ε² lacks at a cutoff, as shares of the unresolved energy.
 struct Missing {
   double share;  ///< which the modes above the cutoff would return
-  double doubt;  ///< by which one run may be off
+  Term doubt;    ///< by which one run may be off
 };
+
+/// Shares rise at low speed, and fall at high speed, where errors have either sign: they fall less than their mean.
+double whole_share(const calibration::Share& share, double cutoff, double speed) {
+  using namespace calibration;
+  return share.at_64 * std::pow(64.0 / cutoff, share.power) *
+         std::clamp(std::pow(speed / slow_speed, slow_power), 1.0, slow_at_most);
+}
+
+Missing missing(double whole, const calibration::Share& mean, double speed, const Term& noise, const Term& fast) {
+  const double share = whole * (1.0 / (1.0 + speed / mean.half)), of_share = calibration::of_share * share;
+  const double slow = of_share + noise.error;
+  if (fast.error > slow) return {share, fast};
+  if (of_share > noise.error) return {share, {"of_share", calibration::of_share, slow}};
+  return {share, {noise.constant, noise.in_use, slow}};
+}
 
 /// @param cutoff over the time scale of the contact
 /// @param speed  of the faster body in its own wave speed
 Missing missing_on_a_line(double cutoff, double speed) {
-  constexpr double at_64 = 0.0115, cutoff_power = 0.8, at_16 = 0.27;
-  const double slow = std::clamp(std::pow(speed / 0.02, -0.1), 1.0, 1.7);
-  const double fast = 1.0 / (1.0 + speed / 0.1);
-  const double calm = std::min(2.2, std::pow(speed / 1e-4, -0.25));
-  const double whole = at_64 * std::pow(64.0 / cutoff, cutoff_power) * slow, share = whole * fast;
-  const double noise = at_16 * calm * std::pow(16.0 / cutoff, 2.5);
-  // At high speed the errors have either sign: they are greater than their mean.
-  const double either = std::min(std::pow(speed / 0.33, 4), 3.5);
-  return {share, std::max(0.8 * share + noise, either * whole)};
+  using namespace calibration;
+  const auto& [at_16, power, slow] = noise_on_a_line;
+  const double whole = whole_share(share_on_a_line, cutoff, speed), calm = std::min(2.2, std::pow(speed / slow, -0.25));
+  const double noise = at_16 * calm * std::pow(16.0 / cutoff, power);
+  const double either = std::min(std::pow(speed / fast_speed, 4), fast_at_most);
+  return missing(whole, share_on_a_line, speed, {"noise_on_a_line.at_16", at_16, noise},
+                 {"fast_at_most", fast_at_most, either * whole});
 }
 
 /// The same where a circle touches. At low speed the loss is a wave of the speed (docs/theory/spheres.md), and what one
 /// run is off by falls no faster than the cutoff rises.
 Missing missing_of_balls(double cutoff, double speed) {
-  constexpr double at_64 = 0.045, cutoff_power = 0.6, at_16 = 0.2;
-  const double slow = std::clamp(std::pow(speed / 0.02, -0.1), 1.0, 1.7);
-  const double fast = 1.0 / (1.0 + speed / 0.2);
-  const double whole = at_64 * std::pow(64.0 / cutoff, cutoff_power) * slow, share = whole * fast;
-  const double calm = std::max(std::min(std::pow(speed / 1e-3, -0.4), 16.0), std::pow(speed / 1e-3, -0.25));
-  // At high speed the errors have either sign: they fall less than their mean.
-  return {share, std::max(0.8 * share + at_16 * calm * 16.0 / cutoff, 0.6 * whole)};
+  using namespace calibration;
+  const auto& [at_16, power, slow] = noise_of_balls;
+  const double whole = whole_share(share_of_balls, cutoff, speed);
+  const double calm = std::max(std::min(std::pow(speed / slow, -0.4), 16.0), std::pow(speed / slow, -0.25));
+  const double noise = at_16 * calm * 16.0 / std::pow(cutoff, power);
+  return missing(whole, share_of_balls, speed, {"noise_of_balls.at_16", at_16, noise},
+                 {"fast_of_balls", fast_of_balls, fast_of_balls * whole});
 }
 
 /// Share of the error by nodes that is left where each of them relaxes while the edge passes it: n nodes in a time t,
 /// 2 η n/t or some τ n/t of them in the time of relaxation. Each term counts as it loses in an impact.
 double left_by_relaxing(const Contact& contact, double nodes, double duration) {
-  constexpr double relaxing = 0.7, always = 0.03;  // fits
+  using namespace calibration;
   const double loss_time = touch(contact).loss_time, viscous = 1.0 + 2.0 * loss_time * nodes / duration;
   double sum = 0.0, whole = 0.0;
   for (int number = 0; number < 2; ++number) {
@@ -70,9 +74,9 @@ double left_by_relaxing(const Contact& contact, double nodes, double duration) {
     for (const RelaxationTerm& term : body->relaxation.terms) {
       const double time = term.time * units.time, angle = std::numbers::pi * time / duration;
       const double loses = body->softness * units.softness * term.share * angle / (1.0 + angle * angle);
-      const double passes = 1.0 + relaxing * time * nodes / duration;
+      const double passes = 1.0 + relaxing_nodes * time * nodes / duration;
       whole += loses;
-      sum += loses * (always + (1.0 - always) / (passes * passes));
+      sum += loses * (always_left + (1.0 - always_left) / (passes * passes));
     }
   }
   return std::max(whole == 0.0 ? 0.0 : sum / whole, loss_time == 0.0 ? 0.0 : 1.0 / (viscous * viscous));
@@ -80,10 +84,13 @@ double left_by_relaxing(const Contact& contact, double nodes, double duration) {
 
 /// Error of what the material takes in one run, from its nodes: those that a lossy contact leaves are the worse
 /// resolved the fewer there are and the less each of them relaxes meanwhile.
-double node_error(const Contact& contact, const Run& run) {
-  if (!loses(contact)) return 0.0;
-  const double constant = touch(contact).circle ? 12.0 : 2.1, nodes = run.resolution.nodes;
-  return constant * run.dissipated / (nodes * nodes) * left_by_relaxing(contact, nodes, run.contact_time);
+Term node_error(const Contact& contact, const Run& run) {
+  if (!loses(contact)) return {};
+  const bool circle = touch(contact).circle;
+  const double constant = circle ? calibration::nodes_of_balls : calibration::nodes_on_a_line;
+  const double nodes = run.resolution.nodes;
+  return {circle ? "nodes_of_balls" : "nodes_on_a_line", constant,
+          constant * run.dissipated / (nodes * nodes) * left_by_relaxing(contact, nodes, run.contact_time)};
 }
 
 /// To a plate that takes nearly all of the energy, more of it does nothing, and where a ball stays nothing can.
@@ -102,8 +109,16 @@ double sensitivity(const Contact& contact, double lost) {
   return left > 0.0 ? left * std::abs(std::log(left)) : 0.0;
 }
 
-Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const std::vector<Run>& runs, double order) {
-  constexpr double safety = 3.0;
+/// What follows from the differences of runs.
+template <typename Quantity>
+Term by_differences(std::string_view constant, const calibration::Differences& from, const std::vector<Run>& runs,
+                    double highest_order, const Quantity& quantity) {
+  const double order = std::min(from.order, highest_order);
+  return {constant, from.safety, from.safety * spread(runs, order, quantity)};
+}
+
+Bar lost_on_a_growing_contact(const Contact& contact, double speed, const std::vector<Run>& runs, double order) {
+  using namespace calibration;
   const auto missing = touch(contact).circle ? missing_of_balls : missing_on_a_line;
   const double scale = time_scale(contact), own = mach_number(contact, speed);
   const auto corrected = [&](const Run& run) {
@@ -111,107 +126,125 @@ Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const s
     return run.lost_fraction - rebound(contact, run) * returned(contact) * share * run.unresolved;
   };
   const Run& last = runs.back();
-  const Missing lacks = missing(last.cutoff * scale, own);
+  Term doubt = missing(last.cutoff * scale, own).doubt;
   // At a half-space less is in doubt, as the body alone gives back; but its quadrature leaves something out. Both are
   // less on plates (docs/developer/numerics.md, section 14).
-  constexpr double less = 0.5, of_a_half_space = 3e-5, of_a_plate = 3e-6, calm_on_a_plate = 0.5;
-  const double calm = contact.keeps_displacement ? calm_on_a_plate : 1.0;
-  const double quadrature = contact.keeps_displacement ? of_a_plate : of_a_half_space;
-  const double doubt = calm * rebound(contact, last) * std::max(less, returned(contact)) * lacks.doubt;
-  const bool returns = contact.unbounded && last.remaining == 0.0;  // a body that stays could have nothing more taken
-  const double missed = returns ? quadrature * sensitivity(contact, last.lost_fraction) : 0.0;
-  return {corrected(last), std::max({missed, doubt * last.unresolved, node_error(contact, last),
-                                     safety * spread(runs, order, corrected)})};
+  const bool plate = contact.keeps_displacement;
+  const double calm = plate ? calm_on_a_plate : 1.0;
+  doubt.error = calm * rebound(contact, last) * std::max(least_returned, returned(contact)) * doubt.error;
+  doubt.error *= last.unresolved;
+  Bar bar{&Restitution::lost_fraction, corrected(last), {doubt, node_error(contact, last)}};
+  if (contact.unbounded && last.remaining == 0.0) {  // a body that stays could have nothing more taken
+    const double waves = plate ? waves_of_a_plate : waves_of_a_half_space;
+    bar.terms.push_back({plate ? "waves_of_a_plate" : "waves_of_a_half_space", waves,
+                         waves * sensitivity(contact, last.lost_fraction)});
+  }
+  bar.terms.push_back(by_differences("lost_fraction.safety", lost_fraction, runs, order, corrected));
+  return bar;
 }
 
-Estimate lost_at_a_point(const std::vector<Run>& runs, double order) {
-  constexpr double doubt = 0.5, safety = 6.0;
+Bar lost_at_a_point(const std::vector<Run>& runs, double order) {
+  using namespace calibration;
   const Run& last = runs.back();
-  return {last.lost_fraction, std::max(doubt * last.unresolved, safety * spread(runs, order, &Run::lost_fraction))};
+  return {&Restitution::lost_fraction,
+          last.lost_fraction,
+          {{"unresolved_at_a_point", unresolved_at_a_point, unresolved_at_a_point * last.unresolved},
+           by_differences("lost_at_a_point.safety", calibration::lost_at_a_point, runs, order, &Run::lost_fraction)}};
 }
 
-Estimate by_differences(const std::vector<Run>& runs, const Bar& bar, double highest_order, double Run::*quantity,
-                        double least) {
-  const double order = std::min(bar.order, highest_order);
-  Estimate estimate{runs.back().*quantity, std::max(least, bar.safety * spread(runs, order, quantity))};
-  // An error as large as the value leaves nothing of it.
-  if (estimate.error >= std::abs(estimate.value)) estimate.error = unknown;
-  return estimate;
-}
-
-/// Energy of the translation before the impact, as a share of the initial energy.
-double translation_before(const EnergyLedger& ledger) {
-  double share = 1.0;
-  for (const ModeEnergy& mode : ledger.modes) share -= mode.before;
-  return share;
-}
-
-/// Fills what each body keeps, and what the material takes, so that it adds up to the loss of a concluded result.
-///
-/// The ledger of the finest impact adds up to its own 1 − ε². What the result has less is energy that the modes above
-/// the cutoff would have given back, each body its part of `unresolved`; of a half-space they give nothing back. What
-/// the ledger misses, its energy error, belongs to each share as much as the share is large.
-void apportion_losses(const Contact& contact, Restitution& result) {
-  const EnergyLedger& ledger = result.finest.energy;
-  const double unit = translation_before(ledger);
-  const double given_back = unit * (result.finest.lost_fraction - result.lost_fraction.value);
-  const double by_first = contact.unbounded ? 1.0 : unresolved_share(contact);
-  const double first = ledger.lost_to_first - by_first * given_back;
-  const double second = ledger.lost_to_second - (1.0 - by_first) * given_back;
-  const double whole = 1.0 - unit * (1.0 - result.lost_fraction.value);
-  const double counted = first + second;
-  const double scale = counted == 0.0 ? 1.0 : whole / counted;
-  result.lost_to_first = scale * first;
-  result.lost_to_second = scale * second;
-  result.dissipated = scale * ledger.dissipated;
+std::vector<Bar> other_bars(const Contact& contact, const Restitution& result, double order) {
+  using namespace calibration;
+  const std::vector<Run>& runs = result.runs;
+  const Run& last = runs.back();
+  const bool at_a_point = has_single_point(contact), plate = contact.keeps_displacement;
+  const bool calm = touch(contact).circle && translation_before(result.finest.energy) == 1.0;  // balls at rest inside
+  const bool of_waves = calm && contact.unbounded;
+  const auto differences = [&](std::string_view constant, const Differences& from, double Run::*quantity) {
+    return by_differences(constant, from, runs, order, quantity);
+  };
+  // An instant is known to half a step at either end, and so are the parts of an impulse that begins with a jump.
+  const Term instants{
+      at_a_point ? "blur" : "", blur,
+      (plate ? 2.0 : 1.0) * last.resolution.step + (at_a_point ? blur * 2.0 * std::numbers::pi / last.cutoff : 0.0)};
+  // Parts of the impulse are known to the square of the step, and three runs may agree by chance.
+  const double steps = last.resolution.step / last.impulse_time;
+  const double of_parts = (at_a_point ? 1.0 : squared_step * steps) * last.resolution.step;
+  const Term parts{at_a_point ? "" : "squared_step", squared_step, last.impulse_time > 0.0 ? of_parts : 0.0};
+  // A wave that comes back to the edge of a disk, or was there, is a short peak; balls have roughness, from what of the
+  // unresolved energy may come back.
+  const double amplitude = calm ? roughness * std::sqrt(rebound(contact, last) * returned(contact)) : focus;
+  const double peak = amplitude * std::sqrt(std::max(0.0, last.unresolved));
+  Term force{calm ? "roughness" : "focus", calm ? roughness : focus, peak * last.max_force};
+  if (at_a_point && ripple > peak) force = {"ripple", ripple, ripple * last.max_force};
+  const Term nodes = at_a_point ? Term{} : node_error(contact, last);
+  const double closest = turn * last.unresolved, missing = closest + nodes.error;
+  Term compression = closest < nodes.error ? nodes : Term{"turn", turn, 0.0};
+  compression.error = missing * std::abs(last.max_compression);
+  return {{&Restitution::contact_time,
+           last.contact_time,
+           {plate ? differences("last_touch.safety", last_touch, &Run::contact_time)
+                  : differences("contact_time.safety", calibration::contact_time, &Run::contact_time),
+            instants}},
+          {&Restitution::impulse_time,
+           last.impulse_time,
+           {differences("smooth.safety", smooth, &Run::impulse_time), parts}},
+          {&Restitution::max_force,
+           last.max_force,
+           {of_waves ? differences("force_of_waves.safety", force_of_waves, &Run::max_force)
+                     : differences("max_force.safety", calibration::max_force, &Run::max_force),
+            force}},
+          {&Restitution::max_compression,
+           last.max_compression,
+           {differences("smooth.safety", smooth, &Run::max_compression), compression}}};
 }
 
 }  // namespace
 
+const Term& Bar::greatest() const {
+  return *std::max_element(terms.begin(), terms.end(), [](const Term& a, const Term& b) { return a.error < b.error; });
+}
+
 double convergence_order(const Contact& contact) {
-  if (has_single_point(contact)) return 1.0;
-  return loses(contact) ? 1.75 : 2.5;
+  if (has_single_point(contact)) return calibration::lost_at_a_point.order;
+  return loses(contact) ? calibration::order_of_losses : calibration::lost_fraction.order;
+}
+
+std::vector<Bar> error_bars(const Contact& contact, double speed, const Restitution& result) {
+  const double order = convergence_order(contact);
+  std::vector<Bar> bars = other_bars(contact, result, order);
+  bars.insert(bars.begin(), has_single_point(contact) ? lost_at_a_point(result.runs, order)
+                                                      : lost_on_a_growing_contact(contact, speed, result.runs, order));
+  return bars;
+}
+
+void add_spacing(const Contact& contact, Restitution& result) {
+  const Run& last = result.runs.back();
+  if (!contact.unbounded || last.remaining > 0.0) return;
+  const double nodes = last.resolution.nodes, lost = result.lost_fraction.value;
+  const double open = calibration::spacing_on_waves * sensitivity(contact, lost) / (nodes * nodes);
+  if (open <= result.lost_fraction.error) return;
+  result.lost_fraction.error = open;
+  const double squared = std::max(0.0, 1.0 - lost);
+  result.restitution.error = open / (std::sqrt(squared + open) + std::abs(result.restitution.value));
 }
 
 void conclude(const Contact& contact, double speed, const CurvatureCorrection& correction, Restitution& result) {
-  constexpr double focus = 0.6;          // a wave that comes back to the edge of a disk, or was there, is a short peak
-  constexpr double roughness = 0.05;     // of the force of balls, from what of the unresolved energy may come back
-  constexpr double ripple = 0.005;       // of a force that begins with a jump, in its mean (FlatForce)
-  constexpr double blur = 0.5;           // of the period of that ripple, in which such a force ends
-  constexpr double squared_step = 10.0;  // 95 % of 147 random half-spaces differ by less from finer runs
-  constexpr double turn = 0.008;         // share of the unresolved energy that may be missing at closest approach
-  const std::vector<Run>& runs = result.runs;
-  const Run& last = runs.back();
-  const bool at_a_point = has_single_point(contact);
-  const double order = convergence_order(contact);
-  result.lost_fraction =
-      at_a_point ? lost_at_a_point(runs, order) : lost_on_a_growing_contact(contact, speed, runs, order);
+  const Run& last = result.runs.back();
+  for (const Bar& bar : error_bars(contact, speed, result)) {
+    Estimate& estimate = result.*bar.estimate;
+    estimate = {bar.value, bar.greatest().error};
+    // An error as large as the value leaves nothing of it.
+    const bool is_loss = bar.estimate == &Restitution::lost_fraction;
+    if (!is_loss && estimate.error >= std::abs(estimate.value)) estimate.error = unknown;
+  }
   result.lost_fraction.error += neglected(correction, result.finest) + last.remaining;
   const double lost = result.lost_fraction.value, error = result.lost_fraction.error;
   const double squared = std::max(0.0, 1.0 - lost);
   const double value = std::copysign(std::sqrt(squared), result.finest.restitution);
   result.restitution = {value, error / (std::sqrt(squared + error) + std::abs(value))};
-  const auto estimate = [&](const Bar& bar, double Run::*quantity, double least) {
-    return by_differences(runs, bar, order, quantity, least);
-  };
-  // An instant is known to half a step at either end, and so are the parts of an impulse that begins with a jump.
-  const double instants = (contact.keeps_displacement ? 2.0 : 1.0) * last.resolution.step +
-                          (at_a_point ? blur * 2.0 * std::numbers::pi / last.cutoff : 0.0);
-  result.contact_time = estimate(contact.keeps_displacement ? last_touch : instant, &Run::contact_time, instants);
-  // Parts of the impulse are known to the square of the step, and three runs may agree by chance.
-  const double steps = last.resolution.step / last.impulse_time;
-  const double of_parts = (at_a_point ? 1.0 : squared_step * steps) * last.resolution.step;
-  result.impulse_time = estimate(smooth, &Run::impulse_time, last.impulse_time > 0.0 ? of_parts : 0.0);
-  const bool calm = touch(contact).circle && translation_before(result.finest.energy) == 1.0;  // balls at rest inside
-  const double amplitude = calm ? roughness * std::sqrt(rebound(contact, last) * returned(contact)) : focus;
-  const double beyond = std::max(amplitude * std::sqrt(std::max(0.0, last.unresolved)), at_a_point ? ripple : 0.0);
-  const Bar& of_force = calm && contact.unbounded ? rougher : rough;
-  result.max_force = estimate(of_force, &Run::max_force, beyond * last.max_force);
-  const double missing = turn * last.unresolved + (at_a_point ? 0.0 : node_error(contact, last));
-  result.max_compression = estimate(smooth, &Run::max_compression, missing * std::abs(last.max_compression));
   if (last.remaining > 0.0) {  // a body that stays goes on pushing, and moving along with the plate
-    for (Estimate* lasting : {&result.contact_time, &result.impulse_time, &result.max_compression}) {
-      lasting->error = unknown;
+    for (Estimate* unending : {&result.contact_time, &result.impulse_time, &result.max_compression}) {
+      unending->error = unknown;
     }
   }
   apportion_losses(contact, result);

@@ -1,10 +1,32 @@
 #pragma once
 
+#include <string_view>
+#include <vector>
+
 #include "restitution/curvature.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/restitution/restitution.hpp"
 
 namespace stoss {
+
+/// One part of an error bar.
+struct Term {
+  std::string_view constant;  ///< of calibration.hpp by which it is multiplied; empty: none
+  double in_use = 0.0;        ///< that constant
+  double error = 0.0;         ///< the part
+};
+
+/// A value with its error, which is the greatest of its terms.
+struct Bar {
+  Estimate Restitution::*estimate;
+  double value;
+  std::vector<Term> terms;
+
+  [[nodiscard]] const Term& greatest() const;
+};
+
+/// Those of all that a result estimates from its runs, 1 − ε² first, as far as they follow from constants.
+[[nodiscard]] std::vector<Bar> error_bars(const Contact& contact, double speed, const Restitution& result);
 
 /// Order of convergence of 1 − ε² in the cutoff, as observed: with one point of contact the force jumps, on a surface
 /// it grows, and slower in lossy bodies.
@@ -28,5 +50,8 @@ namespace stoss {
 ///
 /// What the near side of a much larger body leaves out adds to the error.
 void conclude(const Contact& contact, double speed, const CurvatureCorrection& correction, Restitution& result);
+
+/// Widens the error of ε and 1 − ε² by what fewer points than `restitution` takes on half-spaces and plates leave open.
+void add_spacing(const Contact& contact, Restitution& result);
 
 }  // namespace stoss

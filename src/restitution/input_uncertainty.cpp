@@ -177,7 +177,7 @@ void add_oblique_input_uncertainty(const RefinableContact& contact, double speed
   for (ObliqueRestitution& each : results) {
     if (each.runs.size() < 2) continue;
     const auto same = [&each](const Group& group) {
-      return group.front()->runs.back().cutoff == each.runs.back().cutoff;
+      return group.front()->finest.normal.cutoff == each.finest.normal.cutoff;
     };
     const auto found = std::find_if(groups.begin(), groups.end(), same);
     if (found == groups.end()) {
@@ -187,7 +187,7 @@ void add_oblique_input_uncertainty(const RefinableContact& contact, double speed
     }
   }
   for (const Group& group : groups) {
-    const Contact& resolved = contact.at(group.front()->runs.back().cutoff, stretch, options.poll);
+    const Contact& resolved = contact.at(group.front()->finest.normal.cutoff, stretch, options.poll);
     for (ObliqueRestitution* each : group) add_unknown(resolved, *each);
     const bool rough = std::any_of(group.begin(), group.end(),
                                    [](const ObliqueRestitution* each) { return each->before.friction > 0.0; });

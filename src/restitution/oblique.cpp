@@ -9,23 +9,9 @@
 #include "restitution/input_uncertainty.hpp"
 #include "restitution/ladder/oblique_problem.hpp"
 #include "restitution/neglected_coupling.hpp"
-#include "stoss/restitution/curve.hpp"
 
 namespace stoss {
 namespace {
-
-/// @returns the stretch of the last contact
-double refine(const RefinableContact& contact, const ObliqueOptions& options, std::vector<ObliqueRestitution*> open,
-              Content content) {
-  ObliqueProblem problem(contact, options, std::move(open), content);
-  try {
-    climb(problem.where, problem.between(), problem);
-  } catch (const DoesNotEnd& error) {
-    problem.where.trouble = error.what();
-  }
-  problem.conclude();
-  return problem.where.stretch;
-}
 
 std::vector<ObliqueRestitution> results_of(const RefinableContact& contact, double speed,
                                            const std::vector<Obliquity>& obliquities, const ObliqueOptions& options,
@@ -38,28 +24,21 @@ std::vector<ObliqueRestitution> results_of(const RefinableContact& contact, doub
     results.back().speed = speed, results.back().before = obliquity, results.back().tolerance = options.tolerance;
   }
   if (results.empty()) return results;
-  const bool shared = touch(contact.at(0, options.poll)).circle;
-  std::vector<ObliqueRestitution*> all;
-  for (ObliqueRestitution& each : results) {
-    all.push_back(&each);
-    if (!shared) (void)refine(contact, options, {&each}, content);
+  if (!touch(contact.at(0, options.poll)).circle) {
+    for (ObliqueRestitution& each : results) (void)ObliqueProblem(contact, options, {&each}, content).solve();
+    return results;
   }
-  const double stretch = shared ? refine(contact, options, all, content) : 1.0;
-  if (shared && content == Content::all) {
+  std::vector<ObliqueRestitution*> with_friction, without;
+  for (ObliqueRestitution& each : results) (each.before.friction > 0.0 ? with_friction : without).push_back(&each);
+  double stretch = 1.0;
+  for (const auto& part : {without, with_friction}) {
+    if (!part.empty()) stretch = ObliqueProblem(contact, options, part, content).solve();
+  }
+  if (content == Content::all) {
     NeglectedCoupling neglected(contact, speed, options.poll);
     for (ObliqueRestitution& each : results) each.neglected = neglected.at(each.before);
   }
-  const auto like_central = [&](const ObliqueRestitution& each) {
-    return content == Content::all && (shared || each.before.friction == 0.0);
-  };
-  if (std::any_of(results.begin(), results.end(), like_central)) {
-    const Restitution central =
-        best_restitution(contact, speed, {.poll = options.poll, .vibration = options.vibration});
-    for (ObliqueRestitution& each : results) {
-      if (like_central(each)) each.restitution = central.restitution;
-    }
-  }
-  if (shared) add_oblique_input_uncertainty(contact, speed, stretch, options, results);
+  add_oblique_input_uncertainty(contact, speed, stretch, options, results);
   return results;
 }
 

@@ -18,16 +18,18 @@ constexpr double no_estimate = std::numeric_limits<double>::infinity();
 /// What a number of points across the contact leaves open of s′/μv: the square of their spacing, and where directions
 /// mix what it matters between which two of them the sign of friction changes.
 double error_of_points(const ObliquePlan& plan, double points) {
-  return std::max(plan.spacing / (points * points), plan.places / (points * std::sqrt(points)));
+  return std::max(plan.spacing / (points * points), plan.sign_change / (points * std::sqrt(points)));
+}
+
+const calibration::ObliquePoints& points_of(const ObliquePlan& plan) {
+  return plan.mixing ? calibration::points_where_mixing : calibration::points_on_rings;
 }
 
 /// Points that leave less open than is allowed.
 double wanted_points(const ObliquePlan& plan) {
-  const double share = plan.mixing ? 0.8 : 0.9, error = share * plan.allowed;
-  return std::max(std::sqrt(plan.spacing / error), std::pow(plan.places / error, 2.0 / 3.0));
+  const double error = points_of(plan).share * plan.allowed;
+  return std::max(std::sqrt(plan.spacing / error), std::pow(plan.sign_change / error, 2.0 / 3.0));
 }
-
-double most_points(const ObliquePlan& plan) { return plan.mixing ? 112.0 : 256.0; }
 
 /// Of the points of the grid.
 double share_in_contact(const Impact& impact) {
@@ -56,7 +58,8 @@ double by_differences(const ObliquePlan& plan, const std::vector<ObliqueRun>& ru
   if (plan.unstable || runs.size() < 2) return no_estimate;
   // ε_n swings with the cutoff, whose waves it meets in another phase each time.
   const bool swings = plan.mixing && quantity == &ObliqueRun::restitution;
-  return (runs.size() > fewest_runs && !swings ? plan.safety : plan.of_few) * spread(runs, plan.order, quantity);
+  return (runs.size() > fewest_runs && !swings ? plan.from.safety : plan.from.of_few) *
+         spread(runs, plan.from.order, quantity);
 }
 
 /// With two digits.
@@ -77,7 +80,7 @@ std::string way_out(const char* hint, double least) {
   return " (no tolerance up to 0.5 is reached)";
 }
 
-bool ObliquePlan::too_fine() const { return wanted_points(*this) > most_points(*this); }
+bool ObliquePlan::too_fine() const { return wanted_points(*this) > points_of(*this).most; }
 
 Resolution ObliquePlan::resolution(const Contact& contact, double speed, double half_width, int level) const {
   Resolution resolution = refined_resolution(contact, speed, half_width);
@@ -87,13 +90,17 @@ Resolution ObliquePlan::resolution(const Contact& contact, double speed, double 
   return resolution;
 }
 
+// The first run shows how wide the contact is. Where directions mix, time grows with the cube of the points.
+double ObliquePlan::needed(int level) const {
+  const calibration::ObliquePoints& its = points_of(*this);
+  const double all = (too_fine() ? its.where_too_fine : wanted_points(*this)) + level;
+  return level == 0 ? its.of_first * all : all;
+}
+
 int ObliquePlan::points(double cutoff, double nyquist, int level) const {
-  const double usual = mixing ? 7.0 * std::sqrt(cutoff) : 40.0 * std::pow(cutoff / 32.0, 0.7);
-  // The first run shows how wide the contact is. Where directions mix, time grows with the cube of the points.
-  const double of_first = mixing ? 0.8 : 1.0, where_too_fine = mixing ? 64.0 : most_points(*this);
-  const double least = 16.0 + level, needed = (too_fine() ? where_too_fine : wanted_points(*this)) + level;
-  const double wanted = std::max(usual, level == 0 ? of_first * needed : needed);
-  return static_cast<int>(std::lround(std::max({wanted, least, nyquist})));
+  const calibration::ObliquePoints& its = points_of(*this);
+  const double usual = its.usual * std::pow(cutoff / its.cutoff, its.power), least = 16.0 + level;
+  return static_cast<int>(std::lround(std::max({usual, needed(level), least, nyquist})));
 }
 
 void require_tolerance(const ObliqueOptions& options) {
@@ -142,6 +149,33 @@ void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution
       result.runs.size() >= fewest_runs && result.sliding_after.error <= result.tolerance * scale_of(result);
 }
 
+ObliqueRun normal_run(const Impact& impact) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  return {.cutoff = impact.cutoff,
+          .resolution = impact.resolution,
+          .restitution = impact.restitution,
+          .sliding_after = none,
+          .tangential_after = none,
+          .spin_after = none,
+          .second_spin_after = none,
+          .friction_loss = none,
+          .vibration = none,
+          .unresolved = none,
+          .energy_error = impact.energy_error,
+          .steps = impact.steps};
+}
+
+void add_normal_runs(const std::vector<ObliqueRun>& runs, ObliqueRestitution& result) {
+  if (result.runs.size() < 2) return;  // no value
+  const auto coarser = [](const ObliqueRun& a, const ObliqueRun& b) { return a.cutoff < b.cutoff; };
+  for (const ObliqueRun& run : runs) {
+    const auto place = std::lower_bound(result.runs.begin(), result.runs.end(), run, coarser);
+    if (place != result.runs.end() && place->cutoff == run.cutoff) continue;
+    result.runs.insert(place, run);
+    result.steps += run.steps;
+  }
+}
+
 bool is_out_of_reach(const ObliqueRestitution& result) {
   return result.runs.size() >= fewest_runs && result.finest.unsettled_sliding > result.tolerance * scale_of(result);
 }
@@ -160,7 +194,7 @@ bool is_hopeless(const ObliquePlan& plan, const ObliqueRestitution& result, doub
   if (plan.unstable || plan.too_fine()) return true;
   if (result.runs.size() < fewest_runs) return false;
   const double missing = result.sliding_after.error / (result.tolerance * scale_of(result));
-  return !(result.runs.back().cutoff * std::pow(missing, 1.0 / plan.order) <= highest);
+  return !(result.runs.back().cutoff * std::pow(missing, 1.0 / plan.from.order) <= highest);
 }
 
 void mark_unconverged(const ObliquePlan& plan, ObliqueRestitution& result) {
@@ -183,6 +217,7 @@ void mark_unconverged(const ObliquePlan& plan, ObliqueRestitution& result) {
     }
     return;
   }
+  if (result.reason.empty()) result.reason = "fewer than two cutoffs could be computed";
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   for (const auto member :
        {&ObliqueRestitution::restitution, &ObliqueRestitution::tangential_restitution,

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "restitution/calibration.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/oblique.hpp"
@@ -11,13 +12,11 @@ namespace stoss {
 
 /// What the runs of an oblique impact must resolve, and what their differences mean.
 struct ObliquePlan {
-  bool mixing = false;    ///< both directions act on each other
-  double spacing = 1.0;   ///< error of s′/μv by the spacing of n points, times n²
-  double places = 0.0;    ///< by their places, times n^{3/2}
-  double normal = 0.0;    ///< error of ε_n by the spacing, times n²
-  double order = 1.4;     ///< at which differences of runs fall with the cutoff
-  double safety = 3.0;    ///< by which they are multiplied
-  double of_few = 5.0;    ///< the same after three runs
+  bool mixing = false;       ///< both directions act on each other
+  double spacing = 1.0;      ///< error of s′/μv by the spacing of n points, times n²
+  double sign_change = 0.0;  ///< by where friction changes its sign, times n^{3/2}
+  double normal = 0.0;       ///< error of ε_n by the spacing, times n²
+  calibration::ObliqueDifferences from = calibration::on_rings;
   double allowed = 1.0;   ///< error of s′/μv that is wanted
   bool unstable = false;  ///< friction above stable_friction
 
@@ -28,6 +27,9 @@ struct ObliquePlan {
   /// alike. @param half_width of the contact in a coarser run, or 0
   [[nodiscard]] Resolution resolution(const Contact& contact, double speed, double half_width, int level) const;
 
+  /// Points that s′ needs of the grid at a level.
+  [[nodiscard]] double needed(int level) const;
+
   /// Of the grid at a level. @param cutoff over time_scale @param nyquist points that the waves need
   [[nodiscard]] int points(double cutoff, double nyquist, int level) const;
 };
@@ -37,6 +39,12 @@ void require_tolerance(const ObliqueOptions& options);
 
 /// Adds a run to a result, and fills what follows from all of them.
 void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution& result);
+
+/// A run along the normal alone: NaN of what moves along the surface.
+[[nodiscard]] ObliqueRun normal_run(const Impact& impact);
+
+/// Adds those that were not runs of a result anyway.
+void add_normal_runs(const std::vector<ObliqueRun>& runs, ObliqueRestitution& result);
 
 /// Whether what is not known of a body that stays (Impact::remaining) is more than the tolerance, in any run.
 [[nodiscard]] bool is_out_of_reach(const ObliqueRestitution& result);

@@ -24,7 +24,7 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   require_speed(speed);
   return of_own_choice([&] {
     CentralProblem problem(contact, speed, options);
-    climb(problem.where, problem.first_rungs(), problem);
+    climb(problem.where, problem);
     return problem.concluded();
   });
 }

@@ -1,13 +1,17 @@
 // Converged oblique impacts: their errors against finite elements and finer runs, and their limits.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "contact/along.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/half_space.hpp"
+#include "stoss/bodies/plate.hpp"
 #include "stoss/bodies/sphere.hpp"
+#include "stoss/restitution/curve.hpp"
 #include "stoss/restitution/oblique.hpp"
 
 namespace stoss {
@@ -87,6 +91,86 @@ TEST(ObliqueRestitution, KnowsHowMuchDirectionsMix) {
   const Contact pair = contact(disk(0.33, 8.0), disk(Disk{0.1, 2.0, 3.0}, 8.0 * 2.0 / std::sqrt(3.0)));
   EXPECT_NEAR(mixing(along(pair)), (0.335 - 0.45 / 3.0) / (1.0 + 1.0 / 3.0), 1e-6);
   EXPECT_EQ(mixing(along(contact(sphere(0.3, 8.0)))), 0.0);
+}
+
+/// Contacts in which rings move in one direction.
+std::vector<RefinableContact> balls() {
+  return {RefinableContact(sphere(0.3)),
+          {sphere(0.3), sphere(Sphere{0.1, 2.0, 3.0})},
+          {sphere(0.3), half_space(HalfSpace{0.2, 1.5})},
+          {sphere(0.3), plate(Plate{.thickness = 1.0, .poisson = 0.3})}};
+}
+
+// Equal balls: nothing is left out, so no impact estimates it. Each step of a normal impact is polled once, and once
+// more for the motion along the surface.
+TEST(ObliqueRestitution, CostsTheStepsThatItSays) {
+  const RefinableContact same(sphere(0.3), sphere(0.3));
+  for (const double speed : {1e-3, 0.05}) {
+    for (const double friction : {0.0, 0.2}) {
+      const Obliquity before{speed, 0.0, 0.0, friction};
+      (void)oblique_restitution(same, speed, before);  // makes the bodies
+      long polls = 0;
+      const ObliqueRestitution result = oblique_restitution(same, speed, before, {.poll = [&polls] { ++polls; }});
+      long steps = 0, twice = 0;
+      for (const ObliqueRun& run : result.runs) {
+        steps += run.steps;
+        if (friction > 0.0 && std::isfinite(run.sliding_after)) twice += run.steps;
+      }
+      EXPECT_EQ(result.steps, steps);
+      EXPECT_LE(polls, steps + twice + 150 * static_cast<long>(result.runs.size()));  // each has a response along
+      EXPECT_GE(polls, steps);
+    }
+  }
+}
+
+TEST(ObliqueRestitution, OfBallsHasTheRestitutionOfCentralImpactsWithinBothErrors) {
+  for (const RefinableContact& ball : balls()) {
+    for (const double speed : {1e-5, 1e-3, 0.1}) {
+      const Restitution central = best_restitution(ball, speed, {});
+      for (const double tolerance : {1e-2, 1e-3}) {
+        const ObliqueRestitution result =
+            oblique_restitution(ball, speed, std::vector{Obliquity{0.4 * speed, 0.0, 0.0, 0.2}},
+                                {.tolerance = tolerance})
+                .front();
+        EXPECT_NEAR(result.restitution.value, central.restitution.value,
+                    result.restitution.error + central.restitution.error);
+        EXPECT_LE(result.restitution.error,
+                  std::max(10.0 * central.restitution.error, 1e-4 * central.lost_fraction.value));
+      }
+      const ObliqueRestitution smooth = oblique_restitution(ball, speed, Obliquity{0.4 * speed, 0.0, 0.0, 0.0});
+      EXPECT_EQ(smooth.restitution.value, central.restitution.value);
+      EXPECT_EQ(smooth.restitution.error, central.restitution.error);
+      EXPECT_EQ(smooth.steps, central.steps);
+      EXPECT_EQ(smooth.runs.size(), central.runs.size());
+    }
+  }
+}
+
+// Some rules are converged after three runs, others need more. All ask for the same points, as none slides fast.
+TEST(ObliqueRestitution, OfBallsDoesNotDependOnItsNeighbours) {
+  const RefinableContact ball(sphere(0.1), sphere(Sphere{0.45, 3.0, 2.0}));
+  constexpr double speed = 0.1;
+  std::vector<Obliquity> fan{{0.02, 0.0, 0.0, 0.0}};
+  for (const double sliding : {0.1, 0.3, 0.5, 0.8, 1.0}) fan.push_back({sliding * 0.2 * speed, 0.0, 0.0, 0.2});
+  const ObliqueOptions options{.tolerance = 2e-4};
+  const std::vector<ObliqueRestitution> all = oblique_restitution(ball, speed, fan, options);
+  for (std::size_t k = 0; k < fan.size(); ++k) {
+    const ObliqueRestitution one = oblique_restitution(ball, speed, fan[k], options);
+    EXPECT_EQ(all[k].restitution.value, one.restitution.value);
+    EXPECT_EQ(all[k].restitution.error, one.restitution.error);
+    EXPECT_EQ(all[k].steps, one.steps);
+    EXPECT_EQ(all[k].sliding_after.error, one.sliding_after.error);
+  }
+}
+
+// Of a vibration all modes are kept in the first run already.
+TEST(ObliqueRestitution, BeginsAboveTheModesThatVibrate) {
+  const RefinableContact ball(sphere(0.3));
+  const Vibration vibration{{.order = 6, .index = 0, .energy = 0.1}};
+  const ObliqueRestitution result =
+      oblique_restitution(ball, 0.05, Obliquity{0.02, 0.0, 0.0, 0.2}, {.tolerance = 0.05, .vibration = vibration});
+  EXPECT_TRUE(std::isfinite(result.restitution.error));
+  EXPECT_TRUE(result.converged);
 }
 
 }  // namespace

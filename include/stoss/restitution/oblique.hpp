@@ -57,8 +57,8 @@ struct ObliqueRestitution {
   std::string reason;      ///< why not
   bool unstable = false;   ///< friction between unlike bodies so high that waves of any length grow while all slides:
                            ///< nothing has a limit then, and all errors are unknown
-  std::vector<ObliqueRun> runs;  ///< from coarse to fine
-  ObliqueImpact finest;          ///< the last of them
+  std::vector<ObliqueRun> runs;  ///< from coarse to fine; NaN of s′ in impacts along the normal that ε_n needs alone
+  ObliqueImpact finest;          ///< the last with s′
   long steps = 0;                ///< of all runs
 };
 
@@ -69,8 +69,9 @@ struct ObliqueOptions {
 };
 
 /// Collision rules at one normal speed, for many angles, spins and frictions, from impacts at rising cutoffs. Of bodies
-/// in which both directions do not act on each other one normal impact at each cutoff serves them all. Of these, and
-/// without friction, ε_n is that of `restitution`, bit by bit.
+/// in which both directions do not act on each other one normal impact at each cutoff serves them all, and ε_n: that of
+/// `restitution` within both errors, as s′ chooses the first cutoffs and points. Without friction it is that of
+/// `restitution`, bit by bit.
 ///
 /// The error of s′, and of what follows from it, is the maximum difference from all runs before the last, scaled by the
 /// order at which such differences fall with the cutoff, times a factor; and at least what so many contact points leave

@@ -62,7 +62,7 @@ CentralProblem::CentralProblem(const RefinableContact& contact, double speed, co
       correction_(curvature_correction(contact, speed, options.poll)),
       order_(convergence_order(where.probe())),
       energy_(whole_energy(options.vibration)),
-      next_{.rungs = first_rungs()} {
+      next_{.rungs = second_rung(where.probe())} {
   where.levels.lowest = lowest_level(contact, options.vibration, where.levels, options.poll);
   result_.tolerance = options.tolerance;
   result_.absolute = options.absolute;
@@ -78,13 +78,20 @@ void CentralProblem::begin(int level) const {
   options_.attempt_observer({where.contact.cutoff(level), told ? result_.lost_fraction : Estimate{}});
 }
 
-void CentralProblem::compute(const Contact& resolved, int level) {
-  const Resolution resolution =
-      refined_resolution(resolved, where.speed, known_half_width(resolved, where.speed, result_.finest));
-  ImpactOptions of_one{.resolution = resolution, .poll = options_.poll};
-  if (!options_.vibration.empty()) of_one.start = approach(resolved, where.speed, options_.vibration);
-  result_.finest = impact(resolved, where.speed, of_one);
+ImpactOptions CentralProblem::options_at(const Contact& resolved) const {
+  const double half_width = known_half_width(resolved, where.speed, result_.finest);
+  ImpactOptions options{.resolution = refined_resolution(resolved, where.speed, half_width), .poll = options_.poll};
+  if (!options_.vibration.empty()) options.start = approach(resolved, where.speed, options_.vibration);
+  return options;
+}
+
+void CentralProblem::take(Impact impact, int level) {
+  result_.finest = std::move(impact);
   correct(correction_, unstretched(level), result_.finest);
+}
+
+void CentralProblem::compute(const Contact& resolved, int level) {
+  take(impact(resolved, where.speed, options_at(resolved)), level);
 }
 
 int CentralProblem::add(int level) {

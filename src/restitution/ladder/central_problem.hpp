@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "restitution/curvature.hpp"
@@ -20,12 +21,18 @@ class CentralProblem {
 
   Climb where;
 
-  /// Rungs to the second run.
-  [[nodiscard]] int first_rungs() const { return second_rung(where.probe()); }
-
   void begin(int level) const;
   void compute(const Contact& resolved, int level);
   int add(int level);
+  [[nodiscard]] int skip(int /*level*/) const { return next_.rungs; }
+
+  /// How the impact at a level is computed, and the same with an impact that has been.
+  [[nodiscard]] ImpactOptions options_at(const Contact& resolved) const;
+  void take(Impact impact, int level);
+
+  /// The last impact, and how many there were.
+  [[nodiscard]] const Impact& finest() const { return result_.finest; }
+  [[nodiscard]] std::size_t runs() const { return result_.runs.size(); }
 
   /// The result at the end of the climb. @throws RestitutionNotConverged; NotConverged without two runs
   Restitution concluded();

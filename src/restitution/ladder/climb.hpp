@@ -33,28 +33,26 @@ struct Climb {
 ///
 /// - begins a level, before its impact: `begin(level)`,
 /// - computes the impact there, perhaps again with a contact that lasts longer: `compute(resolved, level)`,
-/// - adds it to the runs before, and says how many levels above the next run is: `add(level)`; 0 ends the climb.
+/// - adds it to the runs before: `add(level)`; or goes on without, where the level is too coarse perhaps and `trouble`
+///   says why: `skip(level)`. Both say how many levels above the next run is; 0 ends the climb.
 ///
-/// A level without an impact, as it is too coarse perhaps, is left out, and `trouble` says why.
-/// @param rungs from the first run to the second
-/// @throws DoesNotEnd, and what `begin` and `add` throw
+/// @throws DoesNotEnd, and what `begin`, `add` and `skip` throw
 template <typename Problem>
-void climb(Climb& at, int rungs, Problem& problem) {
-  for (int level = at.levels.lowest; level <= at.levels.highest && rungs > 0; level += rungs) {
+void climb(Climb& at, Problem& problem) {
+  for (int level = at.levels.lowest, rungs = 1; level <= at.levels.highest && rungs > 0; level += rungs) {
     problem.begin(level);
     try {
       of_own_choice([&] {
         retry_until_contact_ends(at.contact, at.contact.cutoff(level), at.speed, at.stretch, at.poll,
                                  [&](const Contact& resolved) { problem.compute(resolved, level); });
       });
+      at.trouble.clear();
     } catch (const DoesNotEnd&) {
       throw;
     } catch (const NotConverged& error) {
       at.trouble = error.what();
-      continue;
     }
-    at.trouble.clear();
-    rungs = problem.add(level);
+    rungs = at.trouble.empty() ? problem.add(level) : problem.skip(level);
   }
 }
 
