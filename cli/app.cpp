@@ -60,6 +60,7 @@ void declare(CLI::App& app, std::string_view commit) {
   add_predict(app);
   add_table(app);
   add_fit(app);
+  add_relaxation(app);
   add_materials(app);
   add_schema(app);
   add_sweep(app);

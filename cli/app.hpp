@@ -38,6 +38,7 @@ void add_distribution(CLI::App& app);
 void add_quasistatic(CLI::App& app);
 void add_predict(CLI::App& app);
 void add_table(CLI::App& app);
+void add_relaxation(CLI::App& app);
 void add_materials(CLI::App& app);
 void add_schema(CLI::App& app);
 void add_sweep(CLI::App& app);

@@ -94,7 +94,7 @@ def of_quantities(quantities: Any) -> str:
 
 def of_solids(solids: Any, fields_of: Any, kinds: Any) -> str:
     """The stub of the classes of bodies that follow from the table of kinds."""
-    lines = ["import dataclasses", "from typing import ClassVar", "", "from stoss.bodies._material import Material",
+    lines = ["import dataclasses", "from typing import ClassVar", "", "from stoss.bodies._material import Material, Relaxation",
              "from stoss.bodies._solid import Endless, Solid"]  # fmt: skip
     for name, each in vars(solids).items():
         if getattr(each, "__module__", "") == solids.__name__:

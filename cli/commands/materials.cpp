@@ -1,15 +1,22 @@
 // stoss materials: the named materials, with their sources.
 #include "stoss/encounter/materials.hpp"
 
+#include <fmt/format.h>
+
+#include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app.hpp"
 #include "output/output_options.hpp"
+#include "stoss/encounter/relaxing.hpp"
 
 namespace stoss::cli {
 namespace {
 
 struct MaterialsArguments {
+  std::string name;
   OutputOptions output;
   CLI::App* command = nullptr;
 };
@@ -19,6 +26,7 @@ nlohmann::ordered_json details_of(const NamedMaterial& of) {
   const Uncertainties& its = of.uncertainties;
   return {{"strength_source", of.strength_source},
           {"surface_source", of.surface_source},
+          {"frequency[rad/s]", of.frequency},
           {"uncertainties",
            {{"young", its.young},
             {"poisson", its.poisson},
@@ -28,7 +36,32 @@ nlohmann::ordered_json details_of(const NamedMaterial& of) {
             {"surface_energy", its.surface_energy}}}};
 }
 
+/// Below the row of one material: what has no column.
+std::string all_of(const NamedMaterial& its) {
+  const auto line = [](std::string_view name, std::string_view text) {
+    return text.empty() ? std::string() : fmt::format("{}: {}\n", name, text);
+  };
+  const Uncertainties& known = its.uncertainties;
+  std::string text = "\n" + line("source", its.source) + line("yield strength", its.strength_source) +
+                     line("surface energy", its.surface_source);
+  text += fmt::format("frequency of modulus and quality: {:.6g} Hz\n", its.frequency / (2.0 * std::numbers::pi));
+  if (its.material.loss_time) text += fmt::format("loss time: {:.4g} s\n", *its.material.loss_time);
+  if (!its.spectrum.terms.empty()) {
+    text += fmt::format("relaxation from E(0) = {:.4g} Pa: {}\n", relaxing_material(its).young, text_of(its.spectrum));
+  }
+  text += "known within a factor of:";
+  for (const auto& [name, uncertainty] :
+       {std::pair{"young", known.young}, std::pair{"poisson", known.poisson}, std::pair{"density", known.density},
+        std::pair{"loss_time", known.loss_time}, std::pair{"yield_strength", known.yield_strength},
+        std::pair{"surface_energy", known.surface_energy}}) {
+    if (uncertainty > 0.0) text += fmt::format(" {} {:g}", name, 1.0 + uncertainty);
+  }
+  return text + "\n";
+}
+
 void run(const MaterialsArguments& arguments) {
+  std::vector<NamedMaterial> shown = named_materials();
+  if (!arguments.name.empty()) shown = {material_of_the_list(arguments.name)};
   const Columns columns{{"name", "", 17},
                         {"young", "Pa", 9},
                         {"poisson", "", 8},
@@ -37,20 +70,22 @@ void run(const MaterialsArguments& arguments) {
                         {"quality", "", 8},
                         {"loss_time", "s"},
                         {"surface_energy", "J/m^2", 15},
+                        {"relaxation", ""},
                         {"source", ""}};
   Writer writer = arguments.output.writer({"materials", command_line(), {}}, columns, Output::Use::whole);
   const auto known = [](const std::optional<double>& value) { return value ? Value(*value) : Value(std::string()); };
-  for (const NamedMaterial& each : named_materials()) {
+  for (const NamedMaterial& each : shown) {
     const Material& its = each.material;
     writer.add({std::string(each.name), its.young, its.poisson, its.density, known(its.yield_strength),
                 each.quality > 0.0 ? Value(each.quality) : Value(std::string()), known(its.loss_time),
-                known(its.surface_energy), std::string(each.source)},
+                known(its.surface_energy), text_of(each.spectrum), std::string(each.source)},
                details_of(each));
   }
   if (arguments.output.chosen_format() == Format::table) {
     writer.close_table(
-        "\nquality: at contacts of 50 us (rubber: 1 ms); nothing: not known well enough\n"
-        "sources, loss times and uncertainties: --format json\n");
+        (arguments.name.empty() ? "" : all_of(shown.front())) +
+        "\nquality: at contacts of 50 us (rubber: 1 ms); nothing: not known well enough, or a relaxation\n" +
+        (arguments.name.empty() ? "all of one: stoss materials NAME; all of all: --format json\n" : ""));
   }
   writer.finish();
 }
@@ -58,9 +93,10 @@ void run(const MaterialsArguments& arguments) {
 }  // namespace
 
 void add_materials(CLI::App& app) {
-  auto& arguments =
-      add_subcommand<MaterialsArguments>(app, "materials", "The materials that --material takes, with their sources",
-                                         run, "Examples:\n  stoss materials\n  stoss materials --format json");
+  auto& arguments = add_subcommand<MaterialsArguments>(
+      app, "materials", "The materials that --material takes, with their sources", run,
+      "Examples:\n  stoss materials\n  stoss materials PVB\n  stoss materials --format json");
+  add(*arguments.command, "name", arguments.name, "One of them, with all that is known of it", "NAME", "Output");
   arguments.output.add_to(*arguments.command);
 }
 

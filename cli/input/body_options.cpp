@@ -9,6 +9,7 @@
 
 #include "app.hpp"
 #include "stoss/encounter/materials.hpp"
+#include "stoss/encounter/relaxing.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::cli {
@@ -17,7 +18,7 @@ namespace {
 std::vector<std::string> sizes_of(const Kind& its) {
   std::vector<std::string> names;
   for (const Parameter& each : its.parameters) {
-    if (!each.of_material && each.name != "loss_time") names.emplace_back(each.name);
+    if (!each.of_material && !is_loss(each.name)) names.emplace_back(each.name);
   }
   return names;
 }
@@ -77,6 +78,16 @@ void BodyOptions::add_dynamics_to(CLI::App& command) {
       "Loss time eta of the body: stress = (1 + eta d/dt) elastic stress\n(default: 0, or that of --material); "
       "in R/c, with a material in s",
       "ETA", "Body");
+  add(command, "--quality", numbers_["quality"],
+      "In place of it: quality Q of the material, the same at all frequencies,\n3 to 1e9", "Q", "Body");
+  add(command, "--relaxation", relaxation_,
+      "In place of it: shares of the modulus E(0) that relax, and their times,\nas in 0.5:1+0.2:10; times in R/c, "
+      "with a material in s",
+      "SHARE:TIME+...", "Body");
+  add_choice(command, "--young-is", young_is_, {"instantaneous", "relaxed"},
+             "With --relaxation: the modulus that is given is E(0) (instantaneous),\nor what is left of it after all "
+             "relaxation (default: instantaneous)",
+             "WHICH", "Body");
 }
 
 void BodyOptions::add_material_to(CLI::App& command, bool yield) {
@@ -85,7 +96,7 @@ void BodyOptions::add_material_to(CLI::App& command, bool yield) {
       "A material of the list in place of --young, --density, --poisson:\nbearing steel, glass, ice, ... (stoss "
       "materials)",
       "NAME", group);
-  std::vector<std::string> added{"poisson", "loss_time"};
+  std::vector<std::string> added{"poisson", "loss_time", "quality"};
   for (const std::string& owner : kinds_) {
     for (const Parameter& each : kind(owner).parameters) {
       const std::string name(each.name);
@@ -125,7 +136,7 @@ void BodyOptions::require_own(const Kind& its) const {
 /// Whether there is something that only a body with a material has.
 bool BodyOptions::in_si() const {
   return !material_.empty() || !plane_.empty() || yield_ || std::any_of(numbers_.begin(), numbers_.end(), [](auto& of) {
-    return of.second && of.first != "poisson" && of.first != "loss_time";
+    return of.second && of.first != "poisson" && !is_loss(of.first);
   });
 }
 
@@ -135,7 +146,10 @@ Participant BodyOptions::body() const {
   if (its.from_file) {
     if (!material_.empty())
       throw InvalidInput::conflict("material", "the body file has one already", "leave out --material");
-    return modal_from_file("body", kind_);
+    Participant body = modal_from_file("body", kind_);
+    if (!relaxation_.empty()) body.relaxation = parse_relaxation("relaxation", relaxation_);
+    take_young(body, young_is_);
+    return body;
   }
   Participant body{.kind = kind_, .material_name = material_, .rigid = rigid_};
   if (plane_ == "strain") body.plane = Plane::strain;
@@ -150,12 +164,21 @@ Participant BodyOptions::body() const {
                                      "the second may have yield=");
   }
   if (in_si()) set_material(body, yield_, 0.0, "material");
+  if (!relaxation_.empty()) body.relaxation = parse_relaxation("relaxation", relaxation_);
+  take_young(body, young_is_);
   return body;
+}
+
+void take_young(Participant& of, const std::string& young_is) {
+  if (young_is.empty() || (young_is == "instantaneous" && of.relaxation)) return;
+  if (of.modal) throw InvalidInput::conflict("young_is", "the modes of a body file are those of E(0)", "leave it out");
+  take_young_as_relaxed(of);
 }
 
 void set_material(Participant& of, std::optional<double> yield, double poisson, const std::string& option) {
   if (!of.material_name.empty()) {
-    of.material = named_material(of.material_name);
+    const NamedMaterial& its = material_of_the_list(of.material_name);
+    of.material_name = its.name, of.material = its.material;
   } else {
     const bool young = of.values.contains("young"), density = of.values.contains("density");
     if (yield && !young && !density) {

@@ -9,6 +9,7 @@
 #include "app.hpp"
 #include "input/inputs.hpp"
 #include "process/process.hpp"
+#include "stoss/encounter/relaxing.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"
 
@@ -21,7 +22,7 @@ std::vector<std::string> keys_of(const Kind& its) {
   for (const Parameter& each : its.parameters) keys.emplace_back(each.name);
   if (its.can_yield) keys.emplace_back("yield");
   if (its.can_be_rigid) keys.emplace_back("rigid");
-  if (!its.wall) keys.emplace_back("material");
+  if (!its.wall) keys.insert(keys.end(), {"relaxation", "young_is", "material"});
   return keys;
 }
 
@@ -37,7 +38,7 @@ std::string lines_of(const Kind& its) {
 std::vector<std::string> layer_keys_of(const Kind& its) {
   std::vector<std::string> keys;
   for (const Parameter& each : its.parameters) {
-    if (is_of_layer(each)) keys.emplace_back(each.name);
+    if (!is_loss(each.name)) keys.emplace_back(each.name);
   }
   keys.emplace_back("material");
   return keys;
@@ -45,14 +46,24 @@ std::vector<std::string> layer_keys_of(const Kind& its) {
 
 /// What the parts key=value from one on say of a kind, or of one of its layers.
 /// @param first of which the Poisson's ratio is that of a material without its own
+/// @param young_is what is said of the modulus, which is for all layers
 Participant parse_numbers(const Kind& its, const std::vector<std::string>& parts, std::size_t from,
-                          const std::vector<std::string>& keys, const Participant& first) {
+                          const std::vector<std::string>& keys, const Participant& first, std::string& young_is) {
   const std::string name(its.name);
   Participant against{.kind = name, .plane = first.plane};
   std::optional<double> yield;
+  std::string relaxation;
   for (const auto& [key, value] : parse_keys("against", parts, from, keys, " with " + name)) {
     if (key == "material") {
       against.material_name = without_spaces(value);
+    } else if (key == "relaxation") {
+      relaxation = without_spaces(value);
+    } else if (key == "young_is") {
+      young_is = without_spaces(value);
+      const std::vector<std::string> words{"instantaneous", "relaxed"};
+      if (std::find(words.begin(), words.end(), young_is) == words.end()) {
+        refuse_word("against young_is", young_is, words);
+      }
     } else if (const double number = parse_number("against " + key, value); key == "yield") {
       yield = number;
     } else if (key == "rigid") {
@@ -68,6 +79,7 @@ Participant parse_numbers(const Kind& its, const std::vector<std::string>& parts
   if (in_si && !its.wall && meets(kind(first.kind), its)) {
     set_material(against, yield, first.material ? first.material->poisson : 0.0, "against");
   }
+  if (!relaxation.empty()) against.relaxation = parse_relaxation("against relaxation", relaxation);
   return against;
 }
 
@@ -84,9 +96,15 @@ Participant parse_against(const std::string& text, const Participant& first) {
   const std::string name = without_spaces(parts.front());
   if (std::find(names.begin(), names.end(), name) == names.end()) refuse_word("against", name, names);
   const Kind& its = kind(name);
-  Participant against = parse_numbers(its, parts, 1, keys_of(its), first);
+  std::string young_is;
+  Participant against = parse_numbers(its, parts, 1, keys_of(its), first, young_is);
   for (std::size_t i = 1; i < layers.size(); ++i) {
-    against.below.push_back(parse_numbers(its, split(layers[i], ','), 0, layer_keys_of(its), first));
+    against.below.push_back(parse_numbers(its, split(layers[i], ','), 0, layer_keys_of(its), first, young_is));
+  }
+  try {
+    take_young(against, young_is);
+  } catch (const InvalidInput& error) {
+    throw error.within("against");
   }
   return against;
 }

@@ -24,7 +24,7 @@ class BodyOptions {
   /// --body. @param kinds that it takes @param files whether it takes @FILE too
   void add_kind_to(CLI::App& command, const std::vector<std::string>& kinds, bool files = false);
 
-  /// --rigid-body and --loss-time.
+  /// --rigid-body, and how the material loses energy: --loss-time, --quality, --relaxation, --young-is.
   void add_dynamics_to(CLI::App& command);
 
   /// Sizes and material in SI. @param yield whether --yield is one of them
@@ -46,12 +46,16 @@ class BodyOptions {
   std::string kind_ = "sphere";
   std::map<std::string, std::optional<double>> numbers_;  // by parameter
   std::optional<double> yield_;
-  std::string material_, plane_;
+  std::string material_, plane_, relaxation_, young_is_;
   bool rigid_ = false;
 };
 
 /// Whether it is @FILE.
 [[nodiscard]] inline bool names_file(const std::string& text) { return text.starts_with('@'); }
+
+/// All of a file of at most 64 MiB. @param what it should be, for refusals
+/// @throws InvalidInput for what is no file, and OutputError where it cannot be read
+[[nodiscard]] std::string text_of_file(const std::string& option, const std::string& path, const std::string& what);
 
 /// The body of a file, by its modes at a point. @param text @FILE
 /// @throws InvalidInput for a file that cannot be read, and as modal_body_from_json
@@ -63,6 +67,9 @@ class BodyOptions {
 /// @param option  named by refusals
 /// @throws InvalidInput for a name that is not known, and for a material that is not whole
 void set_material(Participant& of, std::optional<double> yield, double poisson, const std::string& option);
+
+/// Takes the modulus of a body as "instantaneous" or "relaxed". @throws InvalidInput without a relaxation
+void take_young(Participant& of, const std::string& young_is);
 
 /// The options that say who meets whom, but for --poisson.
 struct EncounterOptions {

@@ -17,23 +17,21 @@ namespace stoss::cli {
 namespace {
 
 /// Refuses what may never end or never begin: a FIFO by its name, a device. Streams that are open already are read.
-void require_file(const std::string& option, const std::string& path) {
+void require_file(const std::string& option, const std::string& path, const std::string& what) {
   std::error_code none;
   const std::filesystem::file_status its = std::filesystem::status(path, none);
   const bool open_already =
       path == "/dev/stdin" || path.rfind("/dev/fd/", 0) == 0 || path.rfind("/proc/self/fd/", 0) == 0;
   if (open_already || !is_other(its)) return;
-  throw InvalidInput::out_of_range(fmt::format("{}", option),
-                                   fmt::format("'@{}', which is no regular file", shortened(path)),
-                                   "a file of modes at a point", "or @/dev/stdin");
+  throw InvalidInput::out_of_range(
+      fmt::format("{}", option), fmt::format("'{}', which is no regular file", shortened(path)), what, "or /dev/stdin");
 }
 
 }  // namespace
 
-Participant modal_from_file(const std::string& option, const std::string& text) {
+std::string text_of_file(const std::string& option, const std::string& path, const std::string& what) {
   constexpr std::size_t most = 64U << 20U;
-  const std::string path = text.substr(1);
-  require_file(option, path);
+  require_file(option, path, what);
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::string all;
@@ -47,9 +45,13 @@ Participant modal_from_file(const std::string& option, const std::string& text) 
     throw OutputError(fmt::format("{}: cannot read '{}' ({})", option, shortened(path), std::strerror(reason)), reason);
   }
   if (all.size() > most) {
-    throw InvalidInput::out_of_range(fmt::format("{}", option), fmt::format("'@{}' of more than 64 MiB", path),
-                                     "a file of modes at a point");
+    throw InvalidInput::out_of_range(fmt::format("{}", option), fmt::format("'{}' of more than 64 MiB", path), what);
   }
+  return all;
+}
+
+Participant modal_from_file(const std::string& option, const std::string& text) {
+  const std::string path = text.substr(1), all = text_of_file(option, path, "a file of modes at a point");
   if (all.rfind("PK", 0) == 0) {  // a ZIP archive, which an NPZ file is
     throw InvalidInput::out_of_range(fmt::format("{}", option), fmt::format("'@{}', an NPZ file", path), "JSON",
                                      fmt::format("in Python: stoss.ModalBody.read('{}').save('body.json')", path));

@@ -3,8 +3,12 @@
 #include <optional>
 
 #include "stoss/cxx20.hpp"
+#include "stoss/relaxation.hpp"
 
 namespace stoss {
+
+/// Frequency at which moduli are taken to be known, rad/s: 10 kHz, of contacts that last 50 µs.
+inline constexpr double usual_frequency = 62831.853071795865;
 
 /// An isotropic linear elastic material in SI.
 struct Material {
@@ -14,6 +18,9 @@ struct Material {
   std::optional<double> yield_strength{};  ///< Y in simple tension, Pa, if known
   std::optional<double> loss_time{};       ///< η, s: stress = (1 + η ∂/∂t) elastic stress, if known
   std::optional<double> surface_energy{};  ///< γ, J/m²: two surfaces stick with w = 2√(γ₁γ₂), if known
+  std::optional<Relaxation> relaxation{};  ///< in place of η, times in s: then E is E(0)
+  std::optional<double> quality{};         ///< in place of both: Q, the same at all frequencies
+  double frequency = usual_frequency;      ///< rad/s, at which E is the modulus of a material with a quality
 };
 
 /// Kind of body behind a disk: a thin plate (plane stress) or a slice of a long cylinder (plane strain).

@@ -83,6 +83,14 @@ module stoss
       type(c_ptr), intent(out) :: body
     end function stoss_strip_make
 
+    integer(c_int) function stoss_relaxing_make(elastic, shares, times, count, body) bind(c)
+      import
+      type(c_ptr), value :: elastic
+      real(c_double), intent(in) :: shares(*), times(*)
+      integer(c_size_t), value :: count
+      type(c_ptr), intent(out) :: body
+    end function stoss_relaxing_make
+
     integer(c_int) function stoss_rigid_make(elastic, body) bind(c)
       import
       type(c_ptr), value :: elastic

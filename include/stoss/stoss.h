@@ -87,6 +87,16 @@ int stoss_plate_make(double thickness, double poisson, double young, double dens
 int stoss_strip_make(double thickness, double poisson, double young, double density, double loss_time,
                      stoss_body** body);
 
+/**
+ * Makes a body of a material that relaxes: E(t) = E(0) (1 - sum of shares (1 - exp(-t/time))), where E(0) is the modulus
+ * of the elastic body. Poisson's ratio stays the same.
+ * @param shares `count` of them, above 0, at most 1 in sum
+ * @param times  `count` of them, in the unit of time of the numbers of the body
+ * @param count  0 to 20
+ */
+int stoss_relaxing_make(const stoss_body* elastic, const double* shares, const double* times, size_t count,
+                        stoss_body** body);
+
 /** Makes the rigid body of the size and mass of a disk or a sphere; it meets an elastic one. */
 int stoss_rigid_make(const stoss_body* elastic, stoss_body** body);
 

@@ -10,9 +10,11 @@
 #include "stoss/encounter/inputs.hpp"
 #include "stoss/encounter/laws.hpp"
 #include "stoss/encounter/materials.hpp"
+#include "stoss/encounter/relaxing.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/encounter/waves.hpp"
 #include "stoss/impact/quantities.hpp"
+#include "stoss/relaxation/measurement.hpp"
 #include "stoss/restitution/ladder.hpp"
 #include "support.hpp"
 
@@ -44,12 +46,20 @@ py::list all_inputs() {
   return all;
 }
 
+/// Pairs of shares and times, or None.
+py::object terms_of(const std::optional<Relaxation>& relaxation) {
+  if (!relaxation) return py::none();
+  py::list terms;
+  for (const RelaxationTerm& each : relaxation->terms) terms.append(py::make_tuple(each.share, each.time));
+  return py::tuple(terms);
+}
+
 py::list all_materials() {
   py::list all;
   for (const NamedMaterial& each : named_materials()) {
     const Material& its = each.material;
     all.append(py::make_tuple(each.name, its.young, its.poisson, its.density, its.yield_strength, its.loss_time,
-                              its.surface_energy));
+                              its.surface_energy, terms_of(its.relaxation)));
   }
   return all;
 }
@@ -160,6 +170,11 @@ void bind_encounters(py::module_& module) {
   def(module, "encounter", {"document"}, [](const std::string& document) { return encounter_from_json(document); });
   def(module, "participant", {"where", "text"},
       [](const std::string& where, const std::string& text) { return to_json(participant_from_json(where, text)); });
+  def(module, "check_losses", {"document"}, [](const std::string& document) {
+    const Participant its = participant_from_json("body", document);
+    (void)losses_of(its);
+    return its.material ? std::optional(its.material->young) : std::nullopt;
+  });
   def(handle, "to_json", [](const Encounter& self) { return to_json(self); });
   def(handle, "own", {"question", "name", "given"}, &in_units_of_first);
   def(handle, "collisions", {"given"}, &collisions);
@@ -183,9 +198,22 @@ void bind_encounters(py::module_& module) {
     const auto [pressure, shear, rayleigh] = wave_speeds(self);
     return std::tuple(pressure, shear, rayleigh);
   });
+  def(module, "relaxation_of_measurement", {"frequency", "storage", "loss"},
+      [](const Doubles& frequency, const Doubles& storage, const Doubles& loss) {
+        const FittedRelaxation its =
+            relaxation_of_measurement({to_vector(frequency), to_vector(storage), to_vector(loss)});
+        return py::make_tuple(terms_of(its.relaxation), its.instantaneous, its.storage_misfit, its.loss_misfit);
+      });
+  def(module, "shifted", {"relaxation", "c1", "c2", "reference", "temperature"},
+      [](const std::vector<std::pair<double, double>>& terms, double c1, double c2, double reference,
+         double temperature) {
+        Relaxation given;
+        for (const auto& [share, time] : terms) given.terms.push_back({share, time});
+        return terms_of(shifted(given, c1, c2, reference, temperature));
+      });
   def(module, "named_materials", &all_materials);
-  def(module, "require_material", {"name"}, [](const std::string& name) { (void)named_material(name); });
-  def(module, "loss_time_of_quality", {"quality", "frequency"}, &loss_time_of_quality);
+  def(module, "material_of_the_list", {"name"},
+      [](const std::string& name) { return std::string(material_of_the_list(name).name); });
   def(module, "plane_poisson", {"young", "poisson", "density", "strain"},
       [](double young, double poisson, double density, bool strain) {
         return plane_poisson({young, poisson, density}, strain ? Plane::strain : Plane::stress);

@@ -42,6 +42,7 @@ written.
 `HardWall`, `ExponentialWall`     walls
 `Oscillation`                     a mode that vibrates before an impact
 `Material`, `materials`           SI; typical materials
+`relaxation_of_measurement`       of a material, from its moduli; `shifted` to another temperature
 `plot`                            pictures (needs matplotlib)
 `read_csv`                        reads what `to_csv` or the command has written
 `with_error`                      a number with the digits that its error leaves it, for reading
@@ -60,6 +61,7 @@ from stoss._core import version as __version__
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss.bodies._bodies import Body, Disk, Rod, Sphere
 from stoss.bodies._material import Material, Scales, materials
+from stoss.bodies._measurement import FittedRelaxation, relaxation_of_measurement, shifted
 from stoss.bodies._modal import ModalBody
 from stoss.bodies._walls import ExponentialWall, HalfPlane, HalfSpace, HardWall, Layer, Plate, Strip, Wall
 from stoss.bodies._state import Oscillation
@@ -90,7 +92,7 @@ from stoss.sweeps._values import Sweep, merge, open_sweep
 
 __all__ = [
     "AtlasValue", "Body", "Bounces", "CollisionRule", "Disk", "DiskField", "ExponentialWall",
-    "Field", "Fit", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact",
+    "Field", "Fit", "FittedRelaxation", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact",
     "Influence", "Interrupted", "InvalidInput", "Layer", "Material", "Misfit", "ModalBody", "Modes", "NotConverged",
     "ObliqueImpact", "ObliqueLedger", "ObliqueRestitution", "ObliqueTrajectory", "Oscillation",
     "PairTable", "Plate", "Prediction", "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod",
@@ -98,8 +100,8 @@ __all__ = [
     "Wall", "Wave",
     "__version__", "animate", "atlas", "bounce", "collision_rule",
     "fit", "impact", "materials", "merge", "modes", "oblique", "oblique_impact", "open_sweep",
-    "pair_table", "plot", "predict", "quasistatic", "read_csv", "restitution",
-    "restitution_distribution", "restitution_function", "rod_chain", "sweep", "with_error",
+    "pair_table", "plot", "predict", "quasistatic", "read_csv", "relaxation_of_measurement", "restitution",
+    "restitution_distribution", "restitution_function", "rod_chain", "shifted", "sweep", "with_error",
 ]  # fmt: skip
 
 

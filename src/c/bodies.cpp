@@ -1,4 +1,5 @@
 #include "c/interface.hpp"
+#include "stoss/errors.hpp"
 
 #include "stoss/version.hpp"
 
@@ -71,6 +72,21 @@ int stoss_strip_make(double thickness, double poisson, double young, double dens
   return handed_over(body, [&] {
     const stoss::Strip value{thickness, poisson, young, density, loss_time};
     return stoss_body{value, false, stoss::strip(value)};
+  });
+}
+
+int stoss_relaxing_make(const stoss_body* elastic, const double* shares, const double* times, size_t count,
+                        stoss_body** body) {
+  return handed_over(body, [&] {
+    require_given(elastic, "elastic");
+    if (count > 0) require_given(shares, "shares"), require_given(times, "times");
+    stoss::Relaxation relaxation;
+    for (size_t i = 0; i < count; ++i) relaxation.terms.push_back({shares[i], times[i]});
+    const double loss_time = std::visit([](const auto& its) { return its.loss_time; }, elastic->value);
+    if (elastic->rigid || elastic->relaxes || loss_time != 0.0) {
+      throw stoss::InvalidInput::conflict("elastic", "it is rigid, has a loss_time or relaxes already");
+    }
+    return stoss_body{elastic->value, false, stoss::maker(elastic->value, relaxation), count > 0};
   });
 }
 

@@ -9,6 +9,7 @@
 #include "stoss/contact/contact.hpp"
 #include "stoss/encounter/collision.hpp"
 #include "stoss/encounter/document.hpp"
+#include "stoss/encounter/relaxing.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/curve.hpp"
 #include "stoss/restitution/oblique_curve.hpp"
@@ -80,10 +81,12 @@ int stoss_open(const char* json, stoss_contact** contact) {
     if (given.against.kind == "exponential") {
       throw stoss::InvalidInput::out_of_range("against", "exponential", "a hard wall or a body");
     }
-    const stoss_body first{stoss::first_solid(given), given.first.rigid, stoss::first_maker(given)};
+    const stoss_body first{stoss::first_solid(given), given.first.rigid, stoss::first_maker(given),
+                           stoss::relaxes(given.first)};
     stoss_contact made{stoss::refinable(given), first};
     if (const auto second = stoss::second_solid(given)) {
-      made.second = stoss_body{*second, given.against.rigid, stoss::second_maker(given)};
+      const bool relaxes = stoss::relaxes(given.against.kind == "same" ? given.first : given.against);
+      made.second = stoss_body{*second, given.against.rigid, stoss::second_maker(given), relaxes};
     }
     made.encounter = given;
     *contact = new stoss_contact(std::move(made));

@@ -21,6 +21,9 @@ stoss::Beyond beyond_of(int number) {
 }
 
 stoss::SlowLaw law_of(const stoss_contact& contact) {
+  if (contact.first.relaxes || (contact.second && contact.second->relaxes)) {
+    throw stoss::InvalidInput::conflict("beyond", "the law of slow impacts knows no material that relaxes");
+  }
   const auto second = contact.second ? std::optional(contact.second->value) : std::nullopt;
   return stoss::slow_law(contact.first.value, second, contact.first.rigid, contact.second && contact.second->rigid);
 }

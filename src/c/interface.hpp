@@ -43,6 +43,7 @@ struct stoss_body {
   stoss::Solid value;
   bool rigid = false;
   stoss::BodyMaker maker;
+  bool relaxes = false;  ///< otherwise than by a loss time
 };
 
 struct stoss_contact {

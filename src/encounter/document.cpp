@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "encounter/json_values.hpp"
+#include "encounter/losses/document.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/encounter/modal_file.hpp"
+#include "stoss/encounter/relaxing.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -19,32 +21,10 @@ namespace {
 
 using namespace json;
 
-Material material_of_numbers(const std::string& where, const Json& given) {
-  Material material;
-  const std::array<std::pair<const char*, double*>, 3> needed{
-      {{"young", &material.young}, {"poisson", &material.poisson}, {"density", &material.density}}};
-  for (const auto& [name, place] : needed) {
-    if (!given.contains(name)) refuse(where, given, "the numbers young, poisson and density, or a name");
-    *place = number(where + " " + name, given[name]);
-  }
-  for (const auto& [name, value] : given.items()) {
-    if (name == "yield_strength") {
-      material.yield_strength = number(where + " " + name, value);
-    } else if (name == "loss_time") {
-      material.loss_time = number(where + " " + name, value);
-    } else if (name == "surface_energy") {
-      material.surface_energy = number(where + " " + name, value);
-    } else if (std::none_of(needed.begin(), needed.end(), [&n = name](const auto& each) { return n == each.first; })) {
-      refuse(where, name, "young, poisson, density, yield_strength, loss_time, surface_energy");
-    }
-  }
-  return material;
-}
-
 void read_material(const std::string& where, const Json& given, Participant& into) {
   if (given.is_string()) {
-    into.material_name = given.get<std::string>();
-    into.material = named_material(into.material_name);
+    const NamedMaterial& its = material_of_the_list(given.get<std::string>());
+    into.material_name = its.name, into.material = its.material;
   } else {
     into.material = material_of_numbers(where, object(where, given));
   }
@@ -54,7 +34,7 @@ std::string words_of(const Kind& kind) {
   std::string text = "kind";
   if (kind.from_file) text += ", body";
   for (const Parameter& each : kind.parameters) text += ", " + std::string(each.name);
-  if (!kind.wall && !kind.from_file) text += ", material";
+  if (!kind.wall && !kind.from_file) text += ", relaxation, young_is, material";
   if (kind.add_layer) text += ", layers";
   if (kind.has_plane) text += ", plane";
   if (kind.can_be_rigid) text += ", rigid";
@@ -69,13 +49,20 @@ Plane plane_of(const std::string& where, const Json& value) {
 
 Participant participant(const std::string& where, const Json& given);
 
+/// What layers have together.
+constexpr std::array of_all_layers{"kind", "layers", "loss_time", "quality", "relaxation", "young_is"};
+
+bool is_of_all_layers(const std::string& name) {
+  return std::find(of_all_layers.begin(), of_all_layers.end(), name) != of_all_layers.end();
+}
+
 /// Layers, each like a whole one but for what all share.
 void read_layers(const std::string& where, const Json& given, Participant& made) {
   if (!given.is_array() || given.empty()) refuse(where, given, "a list of layers, from the top");
   std::vector<Participant> layers;
   for (Json each : given) {
     const std::string place = where + " " + std::to_string(layers.size() + 1);
-    for (const char* shared : {"kind", "layers", "loss_time"}) {
+    for (const char* shared : of_all_layers) {
       if (object(place, each).contains(shared)) refuse(place, shared, "only what is of one layer");
     }
     each["kind"] = made.kind;
@@ -88,11 +75,11 @@ void read_layers(const std::string& where, const Json& given, Participant& made)
 
 /// A body by its file, which stands in the document as it is.
 Participant read_modal(const std::string& where, const Json& given) {
-  for (const auto& [name, value] : given.items()) {
-    if (name != "kind" && name != "body") refuse(where, name, "kind, body");
-  }
+  require_keys(where, given, {"kind", "body", "relaxation"});
   if (!given.contains("body")) refuse(where, given, "an object with a body, as its file has it");
-  return modal_participant(modal_body_from_json(given["body"].dump(), where + " body"));
+  Participant made = modal_participant(modal_body_from_json(given["body"].dump(), where + " body"));
+  if (given.contains("relaxation")) made.relaxation = relaxation(where + " relaxation", given["relaxation"]);
+  return made;
 }
 
 Participant participant(const std::string& where, const Json& given) {
@@ -106,13 +93,18 @@ Participant participant(const std::string& where, const Json& given) {
   made.kind = its.name;
   if (its.from_file) return read_modal(where, given);
   const bool layered = its.add_layer && given.contains("layers");
+  bool relaxed = false;
   for (const auto& [name, value] : given.items()) {
     const std::string place = where + " " + name;
     if (name == "kind") continue;
     if (layered && name == "layers") {
       read_layers(place, value, made);
-    } else if (layered && name != "loss_time") {
-      refuse(where, name, "kind, layers, loss_time");
+    } else if (layered && !is_of_all_layers(name)) {
+      refuse(where, name, "kind, layers, loss_time, quality, relaxation, young_is");
+    } else if (name == "relaxation" && !its.wall) {
+      made.relaxation = relaxation(place, value);
+    } else if (name == "young_is" && !its.wall) {
+      relaxed = is_relaxed(place, value);
     } else if (parameter(its, name) != nullptr) {
       made.values[name] = number(place, value);
     } else if (name == "material" && !its.wall) {
@@ -127,6 +119,7 @@ Participant participant(const std::string& where, const Json& given) {
       refuse(where, name, words_of(its));
     }
   }
+  if (relaxed) take_young_as_relaxed(made);
   return made;
 }
 
@@ -162,14 +155,6 @@ Oscillation oscillation(const std::string& where, const Json& given) {
   return mode;
 }
 
-Json described(const Material& material) {
-  Json json{{"young", material.young}, {"poisson", material.poisson}, {"density", material.density}};
-  if (material.yield_strength) json["yield_strength"] = *material.yield_strength;
-  if (material.loss_time) json["loss_time"] = *material.loss_time;
-  if (material.surface_energy) json["surface_energy"] = *material.surface_energy;
-  return json;
-}
-
 Json described(const Participant& of);
 
 Json layers_of(const Participant& of) {
@@ -180,7 +165,7 @@ Json layers_of(const Participant& of) {
   for (Participant& each : all) {
     each.kind = of.kind;
     layers.push_back(described(each));
-    for (const char* shared : {"kind", "loss_time"}) layers.back().erase(shared);
+    for (const char* shared : of_all_layers) layers.back().erase(shared);
   }
   return layers;
 }
@@ -190,15 +175,20 @@ Json described(const Participant& of) {
   Json json{{"kind", of.kind}};
   if (of.modal) {
     json["body"] = Json::parse(to_json(*of.modal));
+    if (of.relaxation) json["relaxation"] = document_of(*of.relaxation);
     return json;
   }
   if (!of.below.empty()) {
     json["layers"] = layers_of(of);
-    if (const auto loss = of.values.find("loss_time"); loss != of.values.end()) json["loss_time"] = loss->second;
+    for (const auto& [name, value] : of.values) {
+      if (is_loss(name)) json[name] = value;
+    }
+    if (of.relaxation) json["relaxation"] = document_of(*of.relaxation);
     return json;
   }
   for (const auto& [name, value] : of.values) json[name] = value;
-  if (of.material) json["material"] = of.material_name.empty() ? described(*of.material) : Json(of.material_name);
+  if (of.relaxation) json["relaxation"] = document_of(*of.relaxation);
+  if (of.material) json["material"] = of.material_name.empty() ? document_of(*of.material) : Json(of.material_name);
   if (of.material && its.has_plane) json["plane"] = of.plane == Plane::stress ? "stress" : "strain";
   if (of.rigid) json["rigid"] = true;
   return json.size() == 1 && its.wall ? Json(of.kind) : json;

@@ -77,8 +77,9 @@ auto with_given_loss_time(const Participant& of, const Compute& compute) {
   }
 }
 
-BodyMaker made(const Participant& of, const Solid& solid) {
-  return with_given_loss_time(of, [&] { return of.rigid ? rigid(maker(solid)) : maker(solid); });
+BodyMaker made(const Encounter& encounter, const Participant& of, const Solid& solid) {
+  return with_given_loss_time(
+      of, [&] { return of.rigid ? rigid(maker(solid)) : maker(solid, relaxation_of(encounter, of, solid)); });
 }
 
 /// "sphere or half-space": what a body meets besides walls and its like.
@@ -112,8 +113,7 @@ void require_rigid(const Participant& of) {
   if (!kind(of.kind).can_be_rigid) {
     throw InvalidInput::out_of_range("rigid", "a rigid " + of.kind, "a disk or a sphere");
   }
-  if (loss_time_of(of) != 0.0)
-    throw InvalidInput::out_of_range("loss_time", shown(loss_time_of(of)), "0 of a rigid body, which loses nothing");
+  (void)losses_of(of);
 }
 
 void require_one_that_deforms(const Encounter& encounter) {
@@ -165,7 +165,11 @@ std::optional<Scales> si_scales(const Encounter& encounter) {
   const Participant& first = encounter.first;
   if (!first.material) return std::nullopt;
   const Values all = first_values(encounter);
-  if (first.kind == "disk") return scales(*first.material, first.plane, all.at("radius"));
+  if (first.kind == "disk") {
+    Material its = *first.material;
+    its.young *= stiffening(first, all.at("radius"));
+    return scales(its, first.plane, all.at("radius"));
+  }
   if (first.modal) return scales(*first.modal);
   return with_given_loss_time(first, [&] {
     return is_rod(encounter) ? scales(std::get<Rod>(kind("rod").solid(all)))
@@ -212,12 +216,12 @@ std::optional<Solid> second_solid(const Encounter& encounter) {
   });
 }
 
-BodyMaker first_maker(const Encounter& encounter) { return made(encounter.first, first_solid(encounter)); }
+BodyMaker first_maker(const Encounter& encounter) { return made(encounter, encounter.first, first_solid(encounter)); }
 
 BodyMaker second_maker(const Encounter& encounter) {
   if (encounter.against.kind == "same") return first_maker(encounter);
   const auto second = second_solid(encounter);
-  return second ? with_prefix_against([&] { return made(encounter.against, *second); }) : BodyMaker{};
+  return second ? with_prefix_against([&] { return made(encounter, encounter.against, *second); }) : BodyMaker{};
 }
 
 Wall wall_of(const Encounter& encounter) {

@@ -38,6 +38,9 @@ constexpr Parameter loss_time{
     true,
     false,
     "loss time eta of the material, stress = (1 + eta d/dt) elastic stress, in R/c of the first body or in s"};
+constexpr Parameter quality{
+    "quality", "",   0.0,   0.0,
+    1e9,       true, false, "quality Q of the material, the same at all frequencies of an impact; 0: none"};
 constexpr Parameter hardness{"hardness", "", 500.0, 1.0, 1e6, true, false, "alpha R of the wall"};
 constexpr Parameter strength{"strength", "", 1.0, 1e-100, 1e100, true, false, "V0; it only shifts the wall"};
 
@@ -77,7 +80,7 @@ std::vector<Kind> make_kinds() {
             .contour = Contour::cylinder,
             .own = UnitSystem::disk,
             .si = UnitSystem::disk_si,
-            .parameters = {plane_poisson_number, radius, young, density, loss_time},
+            .parameters = {plane_poisson_number, radius, young, density, loss_time, quality},
             .solid = round<Disk>};
   Kind sphere = disk;
   sphere.name = "sphere", sphere.plural = "spheres", sphere.help = "an elastic sphere";
@@ -88,7 +91,7 @@ std::vector<Kind> make_kinds() {
   rod.name = "rod", rod.plural = "rods", rod.help = "a thin elastic rod that meets with one end";
   rod.can_be_rigid = rod.can_yield = false, rod.contour = Contour::flat;
   rod.own = UnitSystem::rod, rod.si = UnitSystem::rod_si;
-  rod.parameters = {length, young, density, area, loss_time}, rod.solid = rod_of;
+  rod.parameters = {length, young, density, area, loss_time, quality}, rod.solid = rod_of;
   Kind modal = sphere;
   modal.name = "modal", modal.plural = "modal bodies";
   modal.help = "any body by its modes at a point, from a file";
@@ -98,21 +101,21 @@ std::vector<Kind> make_kinds() {
   half_space.name = "half-space", half_space.plural = "half-spaces";
   half_space.help = "a large block for spheres, whose waves do not return";
   half_space.bounded = half_space.can_be_rigid = false;
-  half_space.parameters = {solid_poisson_number, young, density, loss_time};
+  half_space.parameters = {solid_poisson_number, young, density, loss_time, quality};
   half_space.solid = unbounded<HalfSpace>;
   Kind half_plane = disk;
   half_plane.name = "half-plane", half_plane.plural = "half-planes", half_plane.help = "elastic half-plane, for disks";
   half_plane.bounded = half_plane.can_be_rigid = false;
-  half_plane.parameters = {plane_poisson_number, young, density, loss_time};
+  half_plane.parameters = {plane_poisson_number, young, density, loss_time, quality};
   half_plane.solid = unbounded<HalfPlane>;
   Kind plate = half_space;
   plate.name = "plate", plate.plural = "plates";
   plate.help = "an elastic plate for spheres, free on both faces";
-  plate.parameters = {thickness, solid_poisson_number, young, density, loss_time}, plate.solid = flat<Plate>;
+  plate.parameters = {thickness, solid_poisson_number, young, density, loss_time, quality}, plate.solid = flat<Plate>;
   plate.add_layer = add_layer;
   Kind strip = half_plane;
   strip.name = "strip", strip.plural = "strips", strip.help = "elastic strip of finite thickness, for disks";
-  strip.parameters = {thickness, plane_poisson_number, young, density, loss_time}, strip.solid = flat<Strip>;
+  strip.parameters = {thickness, plane_poisson_number, young, density, loss_time, quality}, strip.solid = flat<Strip>;
   Kind wall = half_space;
   wall.name = "wall", wall.plural = "walls", wall.help = "a rigid wall";
   wall.wall = true, wall.can_yield = false, wall.parameters = {}, wall.solid = {};

@@ -3,12 +3,14 @@
 #include <string>
 #include <variant>
 
+#include "stoss/encounter/relaxing.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
 
 Mixture mixture(const Encounter& encounter) {
   validate(encounter);
+  refuse_relaxing(encounter, "a table of pairs");
   const Solid first = first_solid(encounter);
   const auto second = second_solid(encounter);
   const bool rigid = encounter.first.rigid || encounter.against.rigid;
@@ -43,6 +45,7 @@ SlowLaw slow_law(const Solid& first, const std::optional<Solid>& second, bool ri
 
 SlowLaw slow_law(const Encounter& encounter) {
   validate(encounter);
+  refuse_relaxing(encounter, "the law of slow impacts");
   return slow_law(first_solid(encounter), second_solid(encounter), encounter.first.rigid, encounter.against.rigid);
 }
 

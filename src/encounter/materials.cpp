@@ -1,8 +1,12 @@
 #include "stoss/encounter/materials.hpp"
 
+#include <cctype>
+#include <cmath>
+#include <complex>
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "stoss/encounter/visible.hpp"
 #include "stoss/errors.hpp"
@@ -17,7 +21,8 @@ constexpr double unknown = 0.0;
 /// A material without what only some know.
 NamedMaterial made(std::string_view name, const Material& material, double quality, std::string_view source,
                    double frequency = hard) {
-  NamedMaterial named{name, material, quality, frequency, source, {}, {}, {}, false};
+  NamedMaterial named{name, material, quality, frequency, source, {}, {}, {}, {}, false};
+  named.material.frequency = frequency;
   if (quality != unknown) named.material.loss_time = loss_time_of_quality(quality, frequency);
   named.uncertainties.young = 0.05, named.uncertainties.poisson = 0.05, named.uncertainties.density = 0.01;
   if (quality != unknown) named.uncertainties.loss_time = 2.0;
@@ -40,6 +45,45 @@ NamedMaterial with_surface(NamedMaterial named, double energy, double uncertaint
 
 NamedMaterial varying(NamedMaterial named, double young, double poisson, double density) {
   named.uncertainties.young = young, named.uncertainties.poisson = poisson, named.uncertainties.density = density;
+  return named;
+}
+
+NamedMaterial with_spectrum(NamedMaterial named, Relaxation spectrum) {
+  named.spectrum = std::move(spectrum);
+  return named;
+}
+
+/// Shear relaxation of PVB at 20 C, Van Duser et al. (1999); Poisson's ratio is taken as constant.
+Relaxation of_pvb() {
+  return {{{0.1606, 3.2557e-11},
+           {0.0787777, 4.9491e-9},
+           {0.2912, 7.2427e-8},
+           {0.0711155, 9.8635e-6},
+           {0.2688, 2.8059e-3},
+           {0.0895860, 1.6441e-1},
+           {0.0301830, 2.2648},
+           {0.0076056, 3.5364e1},
+           {0.00096343, 9.3675e3},
+           {0.00040592, 6.4141e5},
+           {0.00061430, 4.1347e7}}};
+}
+
+/// |E| ∝ √ω from 1 Hz to 100 kHz, where tan δ is then about 1: a term a decade.
+Relaxation of_damped_rubber() {
+  Relaxation made;
+  double sum = 0.0;
+  for (int decade = -7; decade <= 0; ++decade) {
+    made.terms.push_back({std::pow(10.0, -0.5 * decade), std::pow(10.0, decade)});
+    sum += made.terms.back().share;
+  }
+  constexpr double left = 0.999;
+  for (RelaxationTerm& term : made.terms) term.share *= left / sum;
+  return made;
+}
+
+/// A material without a quality, which loses by its spectrum alone.
+NamedMaterial relaxing(NamedMaterial named) {
+  named.material = relaxing_material(named);
   return named;
 }
 
@@ -70,6 +114,20 @@ const std::vector<NamedMaterial>& named_materials() {
       with_surface(
           varying(made("rubber", {2e6, 0.49, 1100.0}, 10.0, "soft rubber, orders of magnitude", soft), 2.0, 0.01, 0.1),
           0.035, 0.5, "order of magnitude of polymers in air"),
+      with_surface(varying(made("bouncy rubber", {4e6, 0.49, 1000.0}, 15.0,
+                                "polybutadiene as of superballs, typical without a single source; from a rebound of "
+                                "some 80 % of the height",
+                                soft),
+                           1.0, 0.01, 0.1),
+                   0.035, 0.5, "order of magnitude of polymers in air"),
+      relaxing(with_spectrum(
+          varying(
+              made("damped rubber", {1e7, 0.49, 1000.0}, unknown,
+                   "rubber near its glass transition, as polynorbornene or butyl, idealised: the modulus at 500 Hz, "
+                   "an order of magnitude, grows as the root of the frequency, with a tan delta of 1",
+                   soft),
+              2.0, 0.01, 0.1),
+          of_damped_rubber())),
       with_strength(
           varying(made("bearing steel", {2.1e11, 0.30, 7810.0}, 3000.0, "hardened, typical without a single source"),
                   0.03, 0.03, 0.01),
@@ -90,25 +148,51 @@ const std::vector<NamedMaterial>& named_materials() {
       varying(made("PMMA", {3.2e9, 0.37, 1190.0}, 30.0,
                    "typical without a single source; its modulus grows with the rate of loading"),
               0.2, 0.05, 0.01),
-      varying(
-          made("PVB", {5.7e8, 0.45, 1070.0}, 12.0,
-               "interlayer of laminated glass, at 10 kHz and 20 C: Van Duser et al., J. Eng. Mech. 125, 435 (1999); "
-               "softens with heat and time"),
-          0.3, 0.05, 0.01),
+      with_strength(varying(made("PE", {1.1e9, 0.42, 955.0}, 15.0,
+                                 "high-density polyethylene, typical without a single source; its modulus grows with "
+                                 "the rate of loading"),
+                            0.5, 0.05, 0.01),
+                    2.5e7, 0.3, "typical without a single source; grows with the rate of loading"),
+      with_strength(varying(made("PA", {3e9, 0.39, 1140.0}, 30.0,
+                                 "polyamide 6 or 66, dry, typical without a single source; moist it has a third"),
+                            0.3, 0.05, 0.01),
+                    8e7, 0.2, "dry, typical without a single source"),
+      with_strength(
+          varying(made("POM", {2.9e9, 0.37, 1410.0}, 40.0, "polyoxymethylene, typical without a single source"), 0.15,
+                  0.05, 0.01),
+          6.5e7, 0.15, "typical without a single source"),
+      varying(made("phenolic resin", {5.8e9, 0.34, 1700.0}, 50.0,
+                   "cast, as of billiard balls, typical without a single source"),
+              0.3, 0.1, 0.05),
+      with_spectrum(
+          varying(
+              made(
+                  "PVB", {5.7e8, 0.45, 1070.0}, 12.0,
+                  "interlayer of laminated glass, at 10 kHz and 20 C: Van Duser et al., J. Eng. Mech. 125, 435 (1999); "
+                  "softens with heat and time"),
+              0.3, 0.05, 0.01),
+          of_pvb()),
   };
   return all;
 }
 
-const Material& named_material(std::string_view name) {
+const Material& named_material(std::string_view name) { return material_of_the_list(name).material; }
+
+const NamedMaterial& material_of_the_list(std::string_view name) {
+  const auto lower = [](std::string_view text) {
+    std::string made(text);
+    for (char& c : made) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return made;
+  };
   std::string names;
   std::vector<std::string> all;
   for (const NamedMaterial& each : named_materials()) {
-    if (each.name == name) return each.material;
+    if (lower(each.name) == lower(name)) return each;
     all.emplace_back(each.name);
     names += (names.empty() ? "" : ", ") + all.back();
   }
   // In version 1.0 "steel" was the structural one, which hardly any ball is made of.
-  if (name == "steel") {
+  if (lower(name) == "steel") {
     throw InvalidInput::out_of_range("material", "'steel'",
                                      "'structural steel' (yields at 235 MPa) or 'bearing steel' (at 1.7 GPa): their "
                                      "yield speeds differ by a factor of 140");
@@ -118,6 +202,18 @@ const Material& named_material(std::string_view name) {
   throw InvalidInput::out_of_range(
       "material", in_quotes(name),
       names + ", or numbers of your own" + (similar.empty() ? "" : ", did you mean " + similar + "?"));
+}
+
+Material relaxing_material(const NamedMaterial& named) {
+  Material made = named.material;
+  if (named.spectrum.terms.empty()) {
+    if (named.quality > 0.0) made.quality = named.quality;
+  } else {
+    made.young /= std::abs(modulus(named.spectrum, {0.0, named.frequency}));
+    made.relaxation = named.spectrum;
+  }
+  if (made.quality || made.relaxation) made.loss_time.reset();
+  return made;
 }
 
 }  // namespace stoss

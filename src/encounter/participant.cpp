@@ -23,6 +23,11 @@ double of_material(const Participant& of, const Kind& kind, std::string_view nam
   return kind.has_plane ? plane_modulus(of, radius) : of.material->young;
 }
 
+[[noreturn]] void refuse_in_layer(const std::string& layer, std::string_view name, const Participant& of) {
+  throw InvalidInput::conflict(layer + std::string(name), "one holds for the whole " + of.kind,
+                               "give it with the first layer");
+}
+
 void require_layers(const Participant& of, const Kind& kind) {
   const std::size_t most = kind.add_layer ? most_layers : 1;
   if (of.below.size() >= most) {
@@ -31,10 +36,10 @@ void require_layers(const Participant& of, const Kind& kind) {
   }
   for (std::size_t i = 0; i < of.below.size(); ++i) {
     const std::string layer = "layer " + std::to_string(i + 2) + " ";
-    if (of.below[i].values.contains("loss_time")) {
-      throw InvalidInput::conflict(layer + "loss_time", "one holds for the whole " + of.kind,
-                                   "give it with the first layer");
+    for (const Parameter& each : kind.parameters) {
+      if (is_loss(each.name) && of.below[i].values.contains(each.name)) refuse_in_layer(layer, each.name, of);
     }
+    if (of.below[i].relaxation) refuse_in_layer(layer, "relaxation", of);
     if (of.below[i].material.has_value() != of.material.has_value()) {
       if (of.material) {
         throw InvalidInput::missing(layer + "material", "", "the first layer has one, so all need one");
@@ -69,59 +74,9 @@ Values values_of_file(const Participant& of) {
           {"loss_time", its.loss_time}};
 }
 
-}  // namespace
-
-Participant modal_participant(ModalBody body) {
-  Participant made = of_kind("modal");
-  made.material = Material{.young = body.young, .poisson = body.poisson, .density = body.density};
-  made.material->loss_time = body.loss_time;
-  made.modal = std::make_shared<const ModalBody>(std::move(body));
-  return made;
-}
-
-double given_or(const Participant& of, std::string_view name, double otherwise) {
-  const auto found = of.values.find(name);
-  return found == of.values.end() ? otherwise : found->second;
-}
-
-double loss_time_of(const Participant& of) {
-  if (const auto given = of.values.find("loss_time"); given != of.values.end()) return given->second;
-  const auto of_material = [&of](const Participant& layer) {
-    return layer.material && !of.rigid ? layer.material->loss_time.value_or(0.0) : 0.0;
-  };
-  const double its = of_material(of);
-  for (const Participant& layer : of.below) {
-    if (const double other = of_material(layer); other != its) {
-      throw InvalidInput::conflict("loss_time",
-                                   "the layers' materials have " + shown(its) + " and " + shown(other) +
-                                       " s, but one holds for the whole " + of.kind,
-                                   "give it; 0: no loss");
-    }
-  }
-  return its;
-}
-
-const NamedMaterial* named_of(const Participant& of) {
-  for (const NamedMaterial& each : named_materials()) {
-    if (each.name == of.material_name) return &each;
-  }
-  return nullptr;
-}
-
-double quality_of(const Participant& of) {
-  const NamedMaterial* its = named_of(of);
-  return its == nullptr || of.values.contains("loss_time") ? 0.0 : its->quality;
-}
-
-double softness_of(const Participant& of) {
-  const Material& its = *of.material;
-  return of.rigid ? 0.0 : (1.0 - its.poisson * its.poisson) / its.young;
-}
-
-Values all_values(const Participant& of, std::optional<double> poisson, double radius) {
+/// All of them, with the modulus of the material at its frequency, E(0) without one.
+Values values_at_frequency(const Participant& of, std::optional<double> poisson, double radius) {
   const Kind& kind = stoss::kind(of.kind);
-  if (kind.from_file) return values_of_file(of);
-  require_layers(of, kind);
   for (const auto& [name, value] : of.values) {
     if (const Parameter* its = parameter(kind, name); its == nullptr) {
       throw InvalidInput::conflict(name, "a " + std::string(kind.name) + " has none", "leave it out");
@@ -136,8 +91,9 @@ Values all_values(const Participant& of, std::optional<double> poisson, double r
     const std::string name(each.name);
     if (each.of_material && of.material) {
       all[name] = of_material(of, kind, name, given_or(of, "radius", radius));
-    } else if (name == "loss_time") {
-      all[name] = loss_time_of(of);
+    } else if (is_loss(name)) {
+      const Losses its = losses_of(of);
+      all[name] = name == "quality" ? its.quality : its.loss_time;
     } else if (const auto found = of.values.find(name); found != of.values.end()) {
       all[name] = found->second;
     } else if (of.material) {
@@ -153,8 +109,52 @@ Values all_values(const Participant& of, std::optional<double> poisson, double r
   return all;
 }
 
+}  // namespace
+
+Participant modal_participant(ModalBody body) {
+  Participant made = of_kind("modal");
+  made.material = Material{.young = body.young, .poisson = body.poisson, .density = body.density};
+  made.material->loss_time = body.loss_time;
+  made.modal = std::make_shared<const ModalBody>(std::move(body));
+  return made;
+}
+
+double given_or(const Participant& of, std::string_view name, double otherwise) {
+  const auto found = of.values.find(name);
+  return found == of.values.end() ? otherwise : found->second;
+}
+
+double loss_time_of(const Participant& of) { return losses_of(of).loss_time; }
+
+const NamedMaterial* named_of(const Participant& of) {
+  for (const NamedMaterial& each : named_materials()) {
+    if (each.name == of.material_name) return &each;
+  }
+  return nullptr;
+}
+
+double quality_of(const Participant& of) {
+  const NamedMaterial* its = named_of(of);
+  return its == nullptr || of.values.contains("loss_time") || relaxes(of) ? 0.0 : its->quality;
+}
+
+double softness_of(const Participant& of) {
+  const Material& its = *of.material;
+  return of.rigid ? 0.0 : (1.0 - its.poisson * its.poisson) / its.young;
+}
+
+Values all_values(const Participant& of, std::optional<double> poisson, double radius) {
+  const Kind& kind = stoss::kind(of.kind);
+  if (kind.from_file) return values_of_file(of);
+  require_layers(of, kind);
+  Values all = values_at_frequency(of, poisson, radius);
+  if (const auto young = all.find("young"); young != all.end()) young->second *= stiffening(of, radius);
+  return all;
+}
+
 std::vector<Values> values_below(const Participant& of, std::optional<double> poisson, double radius) {
   std::vector<Values> all;
+  const double stiffer = of.below.empty() ? 1.0 : stiffening(of, radius);
   for (const Participant& each : of.below) {
     Participant layer{.kind = of.kind, .values = each.values, .material = each.material, .plane = of.plane};
     const bool last = &each == &of.below.back();
@@ -163,7 +163,8 @@ std::vector<Values> values_below(const Participant& of, std::optional<double> po
       if (!layer.values.contains("thickness")) {
         throw InvalidInput::missing("thickness", "", "only the last layer may have none: it has no end");
       }
-      all.push_back(all_values(layer, poisson, radius));
+      all.push_back(values_at_frequency(layer, poisson, radius));
+      all.back().at("young") *= stiffer;
     } catch (const InvalidInput& error) {
       throw error.within("layer " + std::to_string(all.size() + 2));
     }

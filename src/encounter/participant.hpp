@@ -6,6 +6,7 @@
 
 #include "stoss/encounter/encounter.hpp"
 #include "stoss/encounter/materials.hpp"
+#include "stoss/encounter/relaxing.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -30,7 +31,15 @@ auto with_prefix_against(Make make) {
 /// The material of the list that a body has by its name; null for numbers of its own.
 [[nodiscard]] const NamedMaterial* named_of(const Participant& of);
 
-/// Q of a named material, the same at all frequencies; 0 where the body has a loss time of its own or none is known.
+/// E(0) of a body over its modulus, which of a material with a quality is that at its frequency; 1 of others.
+/// @param size of the first body, for the band of what has none
+[[nodiscard]] double stiffening(const Participant& of, double size);
+
+/// How its material relaxes, with times in the unit of time of the numbers of its solid.
+[[nodiscard]] Relaxation relaxation_of(const Encounter& encounter, const Participant& of, const Solid& solid);
+
+/// Q of a named material, the same at all frequencies; 0 where the body loses energy in a way of its own or none is
+/// known.
 [[nodiscard]] double quality_of(const Participant& of);
 
 /// (1 − ν²)/E of a body with a material, 1/Pa; 0 of a rigid one.

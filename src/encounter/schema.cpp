@@ -27,6 +27,17 @@ Json without_a_range(Json schema) {
   return schema;
 }
 
+Json relaxation() {
+  const Json share{{"type", "number"}, {"exclusiveMinimum", 0}, {"maximum", 1}};
+  const Json time{{"type", "number"}, {"exclusiveMinimum", 0}};
+  return {{"type", "array"},
+          {"description", "shares of the modulus E(0) that relax, and their times; in SI with a material, else in R/c"},
+          {"items", {{"type", "array"}, {"prefixItems", {share, time}}, {"minItems", 2}, {"maxItems", 2}}},
+          {"maxItems", most_relaxation_terms}};
+}
+
+Json young_is() { return {{"enum", {"instantaneous", "relaxed"}}, {"default", "instantaneous"}}; }
+
 Json materials() {
   Json names = Json::array();
   for (const NamedMaterial& each : named_materials()) names.push_back(each.name);
@@ -39,7 +50,11 @@ Json materials() {
                        {"density", positive},
                        {"yield_strength", positive},
                        {"loss_time", {{"type", "number"}, {"minimum", 0}}},
-                       {"surface_energy", {{"type", "number"}, {"minimum", 0}}}}},
+                       {"surface_energy", {{"type", "number"}, {"minimum", 0}}},
+                       {"relaxation", {{"$ref", "#/$defs/relaxation"}}},
+                       {"young_is", young_is()},
+                       {"quality", {{"type", "number"}, {"minimum", 3}, {"maximum", 1e9}}},
+                       {"frequency", positive}}},
                      {"required", {"young", "poisson", "density"}},
                      {"additionalProperties", false}};
   return {{"description", "a named material, or its numbers in SI"}, {"oneOf", {{{"enum", names}}, numbers}}};
@@ -49,7 +64,7 @@ Json materials() {
 Json layers_of(const Kind& kind) {
   Json properties = Json::object();
   for (const Parameter& each : kind.parameters) {
-    if (is_of_layer(each)) properties[std::string(each.name)] = number_of(each);
+    if (!is_loss(each.name)) properties[std::string(each.name)] = number_of(each);
   }
   properties["material"] = {{"$ref", "#/$defs/material"}};
   return {{"type", "array"},
@@ -131,7 +146,10 @@ Json object_of(const Kind& kind, bool first) {
   if (kind.from_file) {
     return {{"type", "object"},
             {"description", kind.help},
-            {"properties", {{"kind", {{"const", kind.name}}}, {"body", {{"$ref", "#/$defs/modal_body"}}}}},
+            {"properties",
+             {{"kind", {{"const", kind.name}}},
+              {"body", {{"$ref", "#/$defs/modal_body"}}},
+              {"relaxation", {{"$ref", "#/$defs/relaxation"}}}}},
             {"required", {"kind", "body"}},
             {"additionalProperties", false}};
   }
@@ -140,6 +158,8 @@ Json object_of(const Kind& kind, bool first) {
     // η is limited in units of the body, which are not those of the document.
     properties[std::string(each.name)] = each.name == "loss_time" ? without_a_range(number_of(each)) : number_of(each);
   }
+  if (!kind.wall) properties["relaxation"] = {{"$ref", "#/$defs/relaxation"}};
+  if (!kind.wall) properties["young_is"] = young_is();
   if (!kind.wall) properties["material"] = {{"$ref", "#/$defs/material"}};
   if (kind.add_layer) properties["layers"] = layers_of(kind);
   if (kind.has_plane) properties["plane"] = {{"enum", {"stress", "strain"}}, {"default", "stress"}};
@@ -215,7 +235,11 @@ std::string encounter_schema() {
                       {"vibration", vibration()}}},
                     {"required", {"first"}},
                     {"additionalProperties", false},
-                    {"$defs", {{"material", materials()}, {"modal_body", modal_body()}, {"collision", collision()}}}};
+                    {"$defs",
+                     {{"material", materials()},
+                      {"relaxation", relaxation()},
+                      {"modal_body", modal_body()},
+                      {"collision", collision()}}}};
   return schema.dump(2);
 }
 

@@ -18,4 +18,14 @@ struct Make {
 
 BodyMaker maker(const Solid& solid) { return std::visit(Make{}, solid); }
 
+BodyMaker maker(const Solid& solid, const Relaxation& relaxation) {
+  BodyMaker elastic = maker(solid);
+  if (relaxation.terms.empty()) return elastic;
+  validate(relaxation);
+  return [elastic, relaxation](double cutoff, const Poll& poll) {
+    const Body body = elastic(cutoff, poll);
+    return relaxing(body, in_time(relaxation, body.scale.speed / body.scale.length));
+  };
+}
+
 }  // namespace stoss

@@ -9,6 +9,7 @@
 #include "prediction/touching.hpp"
 #include "prediction/warnings.hpp"
 #include "restitution/ordered_jobs.hpp"
+#include "stoss/encounter/relaxing.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/curve.hpp"
 
@@ -220,6 +221,7 @@ double speed_of_drop(double height) {
 
 std::vector<Prediction> predict(const Encounter& encounter, const std::vector<double>& speeds,
                                 const PredictionOptions& options) {
+  refuse_relaxing(encounter, "predict");
   const Thresholds limits = thresholds(encounter, options);
   (void)prediction::variants(encounter, encounter, options);  // refuses what is no constant
   require_tolerance(options.tolerance, 0.0);

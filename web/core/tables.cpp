@@ -29,8 +29,11 @@ static void to_json(Json& json, const Kind& kind) {
           {"hasPlane", kind.has_plane},
           {"fromFile", kind.from_file},
           {"length", unit_name(Dimension::length, kind.own)},
-          {"parameters", kind.parameters},
+          {"parameters", Json::array()},
           {"meets", Json::array()}};
+  for (const Parameter& each : kind.parameters) {
+    if (each.name != "quality") json["parameters"].push_back(Json(each));  // the page asks for loss times only
+  }
   for (const Kind& other : kinds()) {
     if (!other.wall && meets(kind, other)) json["meets"].push_back(other.name);
   }

@@ -15,7 +15,7 @@ PAGES = {
     "Bodies and walls": (
         "Disk Sphere Rod ModalBody HalfSpace HalfPlane Plate Strip Layer HardWall ExponentialWall Body Wall"
     ),
-    "Materials": "Material Scales materials",
+    "Materials": "Material Scales materials relaxation_of_measurement FittedRelaxation shifted",
     "Drop tests": "predict Prediction Influence",
     "Oblique impacts": "oblique ObliqueRestitution oblique_impact ObliqueImpact ObliqueTrajectory ObliqueLedger",
     "One impact": "impact Impact Trajectory Sound DiskField SphereField Field Wave",

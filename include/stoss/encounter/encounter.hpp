@@ -15,12 +15,13 @@ namespace stoss {
 
 /// A body or a wall as it is given: its kind with the numbers that make it.
 struct Participant {
-  std::string kind = "disk";           ///< of the table of kinds
-  Values values{};                     ///< those of its parameters that were given
-  std::optional<Material> material{};  ///< in place of those of the material; then all is in SI
-  std::string material_name{};         ///< where it is a named one
-  Plane plane = Plane::stress;         ///< of a disk or a half-plane with a material
-  bool rigid = false;                  ///< keeps its mass and the units of the elastic body
+  std::string kind = "disk";               ///< of the table of kinds
+  Values values{};                         ///< those of its parameters that were given
+  std::optional<Material> material{};      ///< in place of those of the material; then all is in SI
+  std::string material_name{};             ///< where it is a named one
+  Plane plane = Plane::stress;             ///< of a disk or a half-plane with a material
+  std::optional<Relaxation> relaxation{};  ///< instead of that of the material, in the unit of loss times; E is E(0)
+  bool rigid = false;                      ///< keeps its mass and the units of the elastic body
   /// Further layers, downwards: their values and materials count; a last one without a thickness is a block.
   std::vector<Participant> below{};
   std::shared_ptr<const ModalBody> modal{};  ///< of kind "modal": the body in SI, of whose point `material` is

@@ -51,8 +51,8 @@ struct Kind {
 /// Layers that one thing may have.
 inline constexpr std::size_t most_layers = 20;
 
-/// Whether a parameter is of a layer, not of all of them together.
-[[nodiscard]] inline bool is_of_layer(const Parameter& parameter) { return parameter.name != "loss_time"; }
+/// Whether a parameter says how a material loses energy, which is not of a layer but of all of them together.
+[[nodiscard]] inline bool is_loss(std::string_view name) { return name == "loss_time" || name == "quality"; }
 
 /// All kinds, in the order in which they are named.
 [[nodiscard]] const std::vector<Kind>& kinds();

@@ -22,7 +22,8 @@ struct NamedMaterial {
   std::string_view strength_source;  ///< of the yield strength
   std::string_view surface_source;   ///< of the surface energy
   Uncertainties uncertainties{};
-  bool sound = false;  ///< its rebounds are of sound, smooth, dry samples: others lose ten times as much and more
+  Relaxation spectrum{};  ///< how it relaxes, times in s; without terms it has its quality at all frequencies
+  bool sound = false;     ///< its rebounds are of sound, smooth, dry samples: others lose ten times as much and more
 };
 
 /// Typical materials. Yours differs, rubber and rock by factors: measure it. What has no yield strength is brittle, or
@@ -32,7 +33,15 @@ struct NamedMaterial {
 /// L. Cremer and M. Heckl, Structure-Borne Sound (1988); the others are typical without a single source.
 [[nodiscard]] const std::vector<NamedMaterial>& named_materials();
 
-/// The material of that name. @throws InvalidInput if there is none, with the names that there are
+/// The material of that name, in upper or lower case. @throws InvalidInput if there is none, with the names that there
+/// are
 [[nodiscard]] const Material& named_material(std::string_view name);
+
+/// The same with its sources.
+[[nodiscard]] const NamedMaterial& material_of_the_list(std::string_view name);
+
+/// The material as it relaxes, in place of a loss time that is right at one frequency: with its spectrum, from the
+/// modulus E(0) that gives it its modulus at its frequency, or with its quality.
+[[nodiscard]] Material relaxing_material(const NamedMaterial& named);
 
 }  // namespace stoss

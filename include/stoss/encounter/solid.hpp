@@ -18,4 +18,8 @@ using Solid = std::variant<Disk, Sphere, Rod, HalfSpace, HalfPlane, Plate, Strip
 /// Makes the body of a solid at any cutoff. @throws InvalidInput as the maker of its kind
 [[nodiscard]] BodyMaker maker(const Solid& solid);
 
+/// The same of a material that relaxes from the modulus of the solid, with times in the unit of time of its numbers.
+/// @throws InvalidInput as relaxing
+[[nodiscard]] BodyMaker maker(const Solid& solid, const Relaxation& relaxation);
+
 }  // namespace stoss

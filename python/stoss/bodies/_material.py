@@ -3,12 +3,44 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 import math
 from types import MappingProxyType
-from typing import Any, Mapping, NamedTuple
+from typing import Any, Mapping, NamedTuple, Sequence
+
+import numpy as np
 
 from stoss import _core
-from stoss._arguments import brief, number, optional_number, refusal
+from stoss._arguments import brief, choice, number, numbers, optional_number, refusal
+from stoss._errors import InvalidInput
+
+
+Relaxation = Sequence[Sequence[float]]
+"""Shares of the modulus E(0) that relax, and their times."""
+
+
+def relaxation_of(given: Any) -> tuple[tuple[float, float], ...] | None:
+    """The terms that were given, as pairs of numbers."""
+    if given is None:
+        return None
+    terms = numbers("relaxation", given)
+    if terms.size == 0:
+        return ()
+    if terms.ndim != 2 or terms.shape[1] != 2 or not np.isfinite(terms).all():
+        raise refusal("relaxation", given, "pairs (share, time), as in [(0.5, 1), (0.2, 10)]")
+    return tuple((float(share), float(time)) for share, time in terms)
+
+
+def young_of(words: dict[str, Any]) -> float | None:
+    """E(0) of the material of a body; refuses ways of losing energy that are out of range or do not go together."""
+    for name in ("quality", "frequency"):
+        its = words.get(name, words.get("material", {}).get(name, 0.0))
+        if not math.isfinite(its):
+            raise refusal(name, its, "a finite number")
+    try:
+        return _core.check_losses(json.dumps({"kind": "sphere", **words}))
+    except InvalidInput as error:
+        raise error.renamed(error.name.removeprefix("body ").removeprefix("material ")) from None
 
 
 class Scales(NamedTuple):
@@ -50,11 +82,14 @@ class Material:
             rigid body loses nothing.
         surface_energy (float, optional): Surface energy γ, J/m², 0 to 1e6. Two surfaces stick with
             the work of adhesion 2√(γ₁γ₂), which only `stoss.predict` uses.
-        quality (tuple of float, optional): In place of `loss_time`, (Q, ω) with the quality Q at
-            the angular frequency ω in rad/s, π over the contact time for an impact: η = 1/(Qω).
-            With the same η a slower impact, of lower frequency, has a higher quality. A ball whose
-            Q is the same at all frequencies loses 2.41/Q of its energy and not the 3.54/Q of this η:
-            with ω = 4.62 over the contact time the loss is that of such a Q.
+        relaxation (sequence of (float, float), optional): In place of `loss_time`, a Prony series: shares
+            of the modulus E(0) that relax, and their times in s, 20 at most. `young` is E(0).
+        young_is ({'instantaneous', 'relaxed'}): With `relaxation`: whether `young` that is given is E(0) or
+            E∞, what is left of it after all relaxation. The attribute is E(0).
+        quality (float or tuple of float, optional): In place of both, the quality Q, 3 to 1e9, the same at
+            all frequencies; or (Q, ω) with the angular frequency ω in rad/s at which `young` is the
+            modulus.
+        frequency (float, optional): ω; of 10 kHz without it.
 
     Examples:
         >>> steel = stoss.Material(young=2.1e11, poisson=0.3, density=7850)
@@ -71,9 +106,12 @@ class Material:
     yield_strength: float | None = None
     loss_time: float | None = None
     surface_energy: float | None = None
-    quality: dataclasses.InitVar[tuple[float, float] | None] = None
+    relaxation: Relaxation | None = None
+    quality: float | None = None
+    frequency: float | None = None
+    young_is: dataclasses.InitVar[str] = "instantaneous"
 
-    def __post_init__(self, quality: Any) -> None:
+    def __post_init__(self, young_is: Any) -> None:
         for name in ("young", "poisson", "density"):
             object.__setattr__(self, name, number(name, getattr(self, name)))
         self._constants()  # refuses what is out of range
@@ -85,23 +123,34 @@ class Material:
         if energy is not None and not 0.0 <= energy <= 1e6:
             raise refusal("surface_energy", energy, "0 to 1e6 (in J/m^2; glass has 0.02 to 0.3)")
         object.__setattr__(self, "surface_energy", energy)
-        object.__setattr__(self, "loss_time", self._chosen_loss_time(quality))
-
-    def __repr__(self) -> str:
-        given = {name: value for name, value in vars(self).items() if value is not None}
-        return f"Material({', '.join(f'{name}={brief(value)}' for name, value in given.items())})"
-
-    def _chosen_loss_time(self, quality: Any) -> float | None:
         loss_time = optional_number("loss_time", self.loss_time)
-        if quality is not None:
-            if loss_time is not None:
-                raise refusal("quality", quality, "none with loss_time")
-            if not isinstance(quality, (tuple, list)) or len(quality) != 2:
-                raise refusal("quality", quality, "(Q, ω), a quality and its frequency in rad/s")
-            return _core.loss_time_of_quality(number("quality", quality[0]), number("frequency", quality[1]))
         if loss_time is not None and not 0.0 <= loss_time < math.inf:
             raise refusal("loss_time", loss_time, "0 or more, in s")
-        return loss_time
+        object.__setattr__(self, "loss_time", loss_time)
+        self._set_relaxation(choice("young_is", young_is, ("instantaneous", "relaxed")))
+
+    def __repr__(self) -> str:
+        return f"Material({', '.join(f'{name}={brief(value)}' for name, value in self._words().items())})"
+
+    def _set_relaxation(self, young_is: str) -> None:
+        """Set what relaxes, as the core reads it."""
+        quality = self.quality
+        if isinstance(quality, (tuple, list)):
+            if len(quality) != 2:
+                raise refusal("quality", quality, "Q, or (Q, ω) with its frequency in rad/s")
+            object.__setattr__(self, "frequency", quality[1])
+            quality = quality[0]
+        object.__setattr__(self, "relaxation", relaxation_of(self.relaxation))
+        object.__setattr__(self, "quality", optional_number("quality", quality))
+        object.__setattr__(self, "frequency", optional_number("frequency", self.frequency))
+        if self.relaxation is None and self.quality is None and self.frequency is None and young_is == "instantaneous":
+            return
+        words = {"young_is": young_is} if young_is == "relaxed" else {}
+        object.__setattr__(self, "young", young_of({"material": {**self._words(), **words}, "radius": 1.0}))
+
+    def _words(self) -> dict[str, Any]:
+        """All that was given, in plain types."""
+        return {name: value for name, value in vars(self).items() if value is not None}
 
     def _constants(self, plane: Any = None) -> dict[str, float]:
         """Those of a solid, or of a disk: ν, E, ρ of a thin plate; ν/(1−ν), E/(1−ν²), ρ in plane strain."""
@@ -113,11 +162,10 @@ class Material:
 
 
 class _Materials(dict[str, Material]):
-    """Those of the core, which says which there are."""
+    """Those of the core, which says which there are; names in upper or lower case."""
 
     def __missing__(self, name: Any) -> Material:
-        _core.require_material(str(name))
-        raise KeyError(name)
+        return self[_core.material_of_the_list(str(name))]
 
 
 materials: Mapping[str, Material] = MappingProxyType(
@@ -126,10 +174,10 @@ materials: Mapping[str, Material] = MappingProxyType(
             name,
             Material(
                 young=young, poisson=poisson, density=density, yield_strength=strength, loss_time=loss_time,
-                surface_energy=energy,
+                surface_energy=energy, relaxation=terms,
             ),
         )  # fmt: skip
-        for name, young, poisson, density, strength, loss_time, energy in _core.named_materials()
+        for name, young, poisson, density, strength, loss_time, energy, terms in _core.named_materials()
     )
 )
 """Typical materials, those of the command: ``stoss materials`` lists them with their sources.

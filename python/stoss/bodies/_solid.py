@@ -15,7 +15,7 @@ from stoss import _core
 from stoss._arguments import boolean, brief, instance, number, refusal
 from stoss._documentation import with_fields
 from stoss._errors import InvalidInput
-from stoss.bodies._material import Material, Scales
+from stoss.bodies._material import Material, Relaxation as Relaxation, Scales, relaxation_of, young_of
 
 Specification = dict[str, Any]
 """A body, a block or a wall in plain types, as an encounter's JSON document has it."""
@@ -59,9 +59,26 @@ def fields_of(kind: Kind) -> dict[str, str]:
     fields = {each.name: "float" for each in kind.parameters}
     if not kind.bounded and "poisson" in fields:
         fields["poisson"] = "float | None"  # it may be that of what a block meets
+    fields |= {"relaxation": "Relaxation | None"} if not kind.wall else {}
     fields["material"] = "Material | None"
     fields |= {"plane": "str | None"} if kind.has_plane else {}
     return fields | ({"rigid": "bool"} if kind.can_be_rigid else {})
+
+
+LOSSES = ("loss_time", "quality", "relaxation")
+NO_LOSSES: Mapping[str, Any] = MappingProxyType({"loss_time": 0.0, "quality": 0.0, "relaxation": None})
+"""How a material loses energy: in one of these ways."""
+
+
+def losses_of(material: Material) -> dict[str, Any]:
+    """Those of a material."""
+    numbers = {name: getattr(material, name) or 0.0 for name in ("loss_time", "quality")}
+    return {**numbers, "relaxation": material.relaxation}
+
+
+def relaxes(solid: Any) -> bool:
+    """Whether it loses energy otherwise than by a loss time."""
+    return bool(getattr(solid, "quality", 0.0) or getattr(solid, "relaxation", None))
 
 
 class Solid:
@@ -72,6 +89,10 @@ class Solid:
         young, density (float, optional): Young's modulus E and density ρ.
         loss_time (float, optional): Loss time η, stress = (1 + η ∂/∂t) elastic stress: R/c (of a
             rod L/c) of the first body, or with a material s. Default: 0, or that of the material.
+        quality (float, optional): In place of `loss_time`, the quality Q of the material, the same at all
+            frequencies, 3 to 1e9. Without a material E is E(0), the modulus at 50 c/R and beyond.
+        relaxation (sequence of (float, float), optional): In place of both, shares of the modulus E(0) that
+            relax, and their times, in the unit of `loss_time`. Then E is E(0).
         material (Material): In place of `poisson`, `young` and `density`; for what meets a body
             that has one.
         rigid (bool, optional): Young's modulus is infinite. The body keeps its mass, and the given
@@ -84,6 +105,8 @@ class Solid:
     young: float
     density: float
     loss_time: float
+    quality: float
+    relaxation: Relaxation | None
     material: Material | None
 
     def __init_subclass__(cls) -> None:
@@ -101,7 +124,7 @@ class Solid:
         if material is not None:
             instance("material", material, (Material,))
             plane = "stress" if plane is None and kind.has_plane else plane
-            made |= dict.fromkeys(made) | material._constants(plane) | {"loss_time": material.loss_time or 0.0}
+            made |= dict.fromkeys(made) | material._constants(plane) | losses_of(material)
         elif plane is not None:
             raise refusal("plane", plane, "none without a material (`poisson` is the 2-D Poisson's ratio)")
         fields: dict[str, Any] = {"material": material}
@@ -109,17 +132,21 @@ class Solid:
             fields["plane"] = plane
         if kind.can_be_rigid:
             fields["rigid"] = boolean("rigid", rigid)
-        if fields.get("rigid"):
-            made["loss_time"] = 0.0
+        own = any(given.get(name) is not None for name in LOSSES)
+        if fields.get("rigid") or own:
+            made |= NO_LOSSES
+        relaxation = relaxation_of(given.get("relaxation"))
+        fields["relaxation"] = relaxation if own else made.get("relaxation")
         for each in kind.parameters:
             fields[each.name] = self._chosen(each, given.get(each.name), made[each.name], material)
-        if fields.get("rigid") and fields["loss_time"] != 0.0:
-            raise refusal("loss_time", given["loss_time"], "0 of a rigid body, which loses nothing")
         for name, value in fields.items():
             object.__setattr__(self, name, value)
         numbers = {each.name: fields[each.name] for each in kind.parameters}
         still_open = 0.25  # is in the range of all numbers that may be
         _core.check_solid(self._kind, {name: still_open if of is None else of for name, of in numbers.items()})
+        if own:
+            rigid_too = {"rigid": True} if fields.get("rigid") else {}
+            young_of({**rigid_too, **{name: fields[name] for name in LOSSES if fields[name] is not None}})
         if material is not None and kind.bounded:
             _ = self.scales  # refuses what is out of range
 
@@ -141,12 +168,12 @@ class Solid:
     def __repr__(self) -> str:
         """The call that makes it, without what is usual."""
         kind, fields = KINDS[self._kind], {each.name: getattr(self, each.name) for each in dataclasses.fields(self)}
-        usual: dict[str, Any] = {"plane": "stress", "rigid": False, "poisson": None, "loss_time": 0.0}
+        usual: dict[str, Any] = {"plane": "stress", "rigid": False, "poisson": None, **NO_LOSSES}
         if self.material is None:
             usual |= {each.name: each.otherwise for each in kind.parameters} | {"material": None, "plane": None}
         else:
             usual |= {each.name: fields[each.name] for each in kind.parameters if each.of_material}
-            usual["loss_time"] = 0.0 if fields.get("rigid") else self.material.loss_time or 0.0
+            usual |= NO_LOSSES if fields.get("rigid") else losses_of(self.material)
         said = ", ".join(f"{name}={brief(value)}" for name, value in fields.items() if usual.get(name) != value)
         return f"{type(self).__name__}({said})"
 
@@ -160,14 +187,18 @@ class Solid:
     def _numbers(self) -> Specification:
         """It in plain types by its numbers, as an encounter of bodies without a material has it."""
         numbers = {each.name: getattr(self, each.name) for each in KINDS[self._kind].parameters}
+        numbers |= {"relaxation": self.relaxation} if self.relaxation is not None else {}
         return {"kind": self._kind, **numbers, **({"rigid": True} if is_rigid(self) else {})}
 
     def _numbers_at_wall(self) -> Specification:
         """The same in units of its own: at a wall all sizes are one, and share what is made for it."""
         size: float = getattr(self, "radius", None) or getattr(self, "length")
-        loss_time = float(self.loss_time * (self.young / self.density) ** 0.5 / size)
+        rate = float((self.young / self.density) ** 0.5 / size)
         poisson = {"poisson": self.poisson} if hasattr(self, "poisson") else {}
-        return {"kind": self._kind, **poisson, "loss_time": loss_time}
+        relaxation = self.relaxation and [(share, time * rate) for share, time in self.relaxation]
+        losses = {"loss_time": self.loss_time * rate, "quality": self.quality, "relaxation": relaxation}
+        given = {name: each for name, each in losses.items() if each or name == "loss_time"}
+        return {"kind": self._kind, **poisson, **given}
 
 
 Block = TypeVar("Block", bound="Endless")
@@ -194,12 +225,19 @@ def describe(solid: Solid) -> Specification:
     given = {field.name: getattr(solid, field.name) for field in dataclasses.fields(solid)}
     if layers := given.pop("layers", None):
         each = [{name: value for name, value in describe(layer).items() if name != "kind"} for layer in layers]
-        return {"kind": solid._kind, "layers": each, "loss_time": solid.loss_time}
+        return {"kind": solid._kind, "layers": each, **losses_in(solid)}
     if solid.material is not None:
         given = {name: value for name, value in given.items() if name not in ("poisson", "young", "density")}
-        given["material"] = {name: value for name, value in vars(solid.material).items() if value is not None}
+        given["material"] = solid.material._words()
     usual = {name: value for name, value in given.items() if value is not None and value is not False}
-    return {"kind": solid._kind, **usual}
+    losses = losses_in(solid) if "loss_time" in given else {}
+    return {"kind": solid._kind, **{name: value for name, value in usual.items() if name not in LOSSES}, **losses}
+
+
+def losses_in(solid: Solid) -> Specification:
+    """How it loses energy; a loss time of 0 only where it does not relax."""
+    its = {name: getattr(solid, name) for name in LOSSES if getattr(solid, name, None)}
+    return its or {"loss_time": solid.loss_time}
 
 
 @functools.lru_cache(maxsize=64)

@@ -9,8 +9,8 @@ from typing import Any, Sequence, Union
 from stoss import _core
 from stoss._arguments import brief, instance, number, refusal
 from stoss._errors import InvalidInput
-from stoss.bodies._material import Material
-from stoss.bodies._solid import LEFT_OUT, Endless, Parameter, Solid, Specification, describe
+from stoss.bodies._material import Material, Relaxation
+from stoss.bodies._solid import LEFT_OUT, LOSSES, NO_LOSSES, Endless, Parameter, Solid, Specification, describe, losses_in, losses_of
 from stoss.bodies._solids import HalfPlane as HalfPlane, HalfSpace as HalfSpace, Strip as Strip
 
 
@@ -44,7 +44,7 @@ class Layer(Solid):
 
     def _of_one(self, whole: Specification) -> Specification:
         """What of a plate of this layer alone is not of all together."""
-        return {name: value for name, value in whole.items() if name not in ("kind", "loss_time") and value is not None}
+        return {name: value for name, value in whole.items() if name not in ("kind", *LOSSES) and value is not None}
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
@@ -81,6 +81,8 @@ class Plate(Endless):
     young: float = LEFT_OUT
     density: float = LEFT_OUT
     loss_time: float = LEFT_OUT
+    quality: float = LEFT_OUT
+    relaxation: Relaxation | None = None
     material: Material | None = None
     layers: Sequence[Layer] | None = None
 
@@ -98,9 +100,8 @@ class Plate(Endless):
                 raise refusal(name, given, "none beside layers")
             object.__setattr__(self, name, its)
         layers = [each._of_one(describe(each)) for each in self.layers]
-        document: Specification = {"kind": self._kind, "layers": layers}
-        if self.loss_time is not None:
-            document["loss_time"] = self.loss_time
+        losses = {name: getattr(self, name) for name in LOSSES if getattr(self, name) is not None}
+        document: Specification = {"kind": self._kind, "layers": layers, **losses}
         super().__post_init__()
         object.__setattr__(self, "layers", tuple(self.layers) if len(self.layers) > 1 else None)
         _require(document, self.material)
@@ -108,22 +109,22 @@ class Plate(Endless):
     def __repr__(self) -> str:
         if self.layers is None:
             return super().__repr__()
-        usual = self.material.loss_time or 0.0 if self.material else 0.0
-        loss = f", loss_time={brief(self.loss_time)}" if self.loss_time != usual else ""
-        return f"Plate(layers={list(self.layers)!r}{loss})"
+        usual = losses_of(self.material) if self.material else NO_LOSSES
+        given = {name: getattr(self, name) for name in LOSSES if getattr(self, name) != usual[name]}
+        return f"Plate(layers={list(self.layers)!r}{''.join(f', {name}={brief(its)}' for name, its in given.items())})"
 
     def _beside(self, body: Any) -> Plate:
         if self.layers is None:
             return super()._beside(body)
         layers = [each if each.poisson is not None else dataclasses.replace(each, poisson=body.poisson)
                   for each in self.layers]
-        return Plate(layers=layers, loss_time=self.loss_time)
+        return Plate(layers=layers, **losses_in(self))
 
     def _numbers(self) -> Specification:
         if self.layers is None:
             return super()._numbers()
         layers = [each._of_one(each._numbers()) for each in self.layers]
-        return {"kind": self._kind, "layers": layers, "loss_time": self.loss_time}
+        return {"kind": self._kind, "layers": layers, **losses_in(self)}
 
 
 def _require(plate: Specification, material: Material | None) -> None:

@@ -49,6 +49,7 @@ from stoss.plot._modes import mode_shape, spectrum
 from stoss.plot._oblique import oblique, oblique_ledger
 from stoss.plot._trajectory import energies, force, grip, half_width, oblique_impact, velocity
 from stoss.plot._prediction import prediction
+from stoss.plot._relaxation import master_curve
 from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
 from stoss.plot._restitution import restitution
 from stoss.plot._sequence import sequence, wave
@@ -57,7 +58,7 @@ from stoss.plot._style import PICTURES as PICTURES
 
 __all__ = [
     "animate", "bounces", "cooling", "disk", "distribution", "energies", "force",
-    "function", "grip", "half_width", "ledger", "mode_shape", "oblique", "oblique_impact",
+    "function", "grip", "half_width", "ledger", "master_curve", "mode_shape", "oblique", "oblique_impact",
     "oblique_ledger", "pair_table", "prediction", "rayleigh", "restitution", "restitution_histogram", "sequence",
     "slow_impact", "spectrum", "sphere", "static_contact", "stress", "velocity", "wave",
 ]  # fmt: skip

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss._arguments import arranged, numbers, refusal
 from stoss._documentation import documented
+from stoss.bodies._solid import relaxes
 from stoss.bodies._bodies import Body, Disk, Sphere
 from stoss.bodies._encounter import Against, choose_against, choose_body
 from stoss.bodies._walls import UNBOUNDED, HalfPlane, HalfSpace, HardWall, Unbounded
@@ -86,7 +87,7 @@ def atlas(
         True
     """
     chosen = choose_body(body, poisson)
-    if not isinstance(chosen, (Sphere, Disk)) or chosen.loss_time != 0.0:
+    if not isinstance(chosen, (Sphere, Disk)) or chosen.loss_time != 0.0 or relaxes(chosen):
         raise refusal("body", chosen, "a sphere or a disk without loss in the atlas (stoss.restitution computes it)")
     met = choose_against(chosen, against, (HardWall,))
     which, ratio = _what(chosen, met)
@@ -118,7 +119,7 @@ def _what(body: Sphere | Disk, met: Any) -> tuple[str, float]:
     if isinstance(met, HardWall):
         return "wall", 1.0
     alike = all(getattr(met, name) == getattr(body, name) for name in ("poisson", "young", "density"))
-    if not alike or met.loss_time != 0.0 or getattr(met, "rigid", False):
+    if not alike or met.loss_time != 0.0 or relaxes(met) or getattr(met, "rigid", False):
         raise refusal("against", met, "the material of the first, without loss, in the atlas (use stoss.restitution)")
     if isinstance(met, (HalfSpace, HalfPlane)):
         return "block", 1.0

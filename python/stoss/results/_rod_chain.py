@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss._arguments import boolean, choice, integer, number, numbers, optional_number, refusal
 from stoss._errors import Interrupted, InvalidInput, NotConverged
+from stoss.bodies._solid import relaxes
 from stoss.bodies._bodies import Rod
 from stoss.bodies._encounter import choose_tail
 from stoss.export._tables import span
@@ -160,6 +161,8 @@ def rod_chain(
         raise refusal("rods", wrong[0] if several is rods else rods, "a list of stoss.Rod")
     if len({each.material is None for each in rods}) > 1:
         raise InvalidInput.out_of_range("rods", "some with and some without a material", "all with one or none")
+    if wrong := [each for each in rods if relaxes(each)]:
+        raise refusal("rods", wrong[0], "rods with a loss_time or none, in a chain")
     if collisions is None and time is None:
         raise InvalidInput.out_of_range("collisions", "none and no `time`", "a number", "when the chain ends")
     values = [(each.length, each.young, each.density, each.area, each.loss_time) for each in rods]

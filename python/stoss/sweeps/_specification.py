@@ -59,7 +59,7 @@ def make(name: str, given: Specification) -> Any:
 def _plain(given: Any) -> Specification:
     """What may be given as an object, in plain types."""
     if isinstance(given, Material):
-        return {name: each for name, each in vars(given).items() if each is not None}
+        return given._words()
     return {name: each for name, each in describe(instance("layers", given, (Layer,))).items() if name != "kind"}
 
 
@@ -157,7 +157,7 @@ def _borrows(words: Specification) -> bool:
 
 
 def _choices(name: str, key: str, value: Any) -> list[Any]:
-    if key in ("layers", "body"):
+    if key in ("layers", "body", "relaxation", "young_is"):
         return [value]
     if key in ("kind", "plane", "rigid", "material", "file"):
         return _listed(value)

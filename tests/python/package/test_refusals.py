@@ -74,7 +74,7 @@ RANGES = {
     "poisson": [-1, 1, [0.3, nan]], "cutoff": [0, -1, 1001], "threads": [-1, 1025, 2**31 - 1], "step": [0, -1, 1],
     "nodes": [0, -1, 15, 5000], "half_width": [0, -1, 3.2], "hardness": [0.9, 1.1e6], "strength": [0, -1],
     "young": [0, -1], "density": [0, -1], "yield_strength": [-1], "loss_time": [-1], "surface_energy": [-0.1, 2e6],
-    "quality": [10, (0, 1), (1, nan)], "every": [0, -1], ("field", "time"): [1.1e4, [1, -inf]], "time": [1.1e4],
+    "quality": [1, -10, (0, 1), (10, nan)], "relaxation": [[(0.7, 1), (0.6, 1)], [0.5], 1, [(0.5, -1)]], "every": [0, -1], ("field", "time"): [1.1e4, [1, -inf]], "time": [1.1e4],
     "radius": [-0.1, 1.1, []], "distance": [-0.1], "flight": [-1], "duration": [0], "rate": [10], "slower": [-1],
     ("sound", "quality"): [0.1], "of": [7, -1], "circumference": [4.0 - 2], "velocities": [[1, 2, 3]],
      "collisions": [-1],
@@ -97,7 +97,7 @@ WHOLE = {"threads", "nodes", "every", "order", "index", "of", "samples", "seed",
 SINGLE = {"cutoff", "tolerance", "absolute", "step", "half_width", "error", "strength", "hardness", "temperature",
  "flight_time",
           "gravity", "adhesion", "highest", "circumference", "flight"}  # fmt: skip
-CHOICES = {"tail", "beyond", "law", "program", "method", "contact"}
+CHOICES = {"young_is", "tail", "beyond", "law", "program", "method", "contact"}
 NOT_NUMBERS = {"body": BODIES, "against": [*BODIES, stoss.Rod, HIT], "progress": FLAGS, "state": [0.1, "ringing",
  [None]]}
 OTHERS = {"keep", "rods", "uncertainties", "spectrum", "quality"}  # of which only RANGES says what is wrong
