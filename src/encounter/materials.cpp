@@ -81,9 +81,9 @@ Relaxation of_damped_rubber() {
   return made;
 }
 
-/// A material without a quality, which loses by its spectrum alone.
-NamedMaterial relaxing(NamedMaterial named) {
-  named.material = relaxing_material(named);
+/// A material that has its spectrum and no loss time: its modulus is E(0).
+NamedMaterial relaxing(NamedMaterial named, Relaxation spectrum) {
+  named.material.relaxation = named.spectrum = std::move(spectrum);
   return named;
 }
 
@@ -120,14 +120,14 @@ const std::vector<NamedMaterial>& named_materials() {
                                 soft),
                            1.0, 0.01, 0.1),
                    0.035, 0.5, "order of magnitude of polymers in air"),
-      relaxing(with_spectrum(
-          varying(
-              made("damped rubber", {1e7, 0.49, 1000.0}, unknown,
-                   "rubber near its glass transition, as polynorbornene or butyl, idealised: the modulus at 500 Hz, "
-                   "an order of magnitude, grows as the root of the frequency, with a tan delta of 1",
-                   soft),
-              2.0, 0.01, 0.1),
-          of_damped_rubber())),
+      relaxing(
+          varying(made("damped rubber", {6e8, 0.49, 1000.0}, unknown,
+                       "rubber near its glass transition, as polynorbornene or butyl, idealised: E(0); the modulus "
+                       "grows as the root of the frequency from 1 Hz on, with a tan delta of 1, and is 10 MPa at "
+                       "500 Hz, an order of magnitude",
+                       soft),
+                  2.0, 0.01, 0.1),
+          of_damped_rubber()),
       with_strength(
           varying(made("bearing steel", {2.1e11, 0.30, 7810.0}, 3000.0, "hardened, typical without a single source"),
                   0.03, 0.03, 0.01),
@@ -206,6 +206,7 @@ const NamedMaterial& material_of_the_list(std::string_view name) {
 
 Material relaxing_material(const NamedMaterial& named) {
   Material made = named.material;
+  if (made.relaxation) return made;
   if (named.spectrum.terms.empty()) {
     if (named.quality > 0.0) made.quality = named.quality;
   } else {

@@ -47,7 +47,7 @@ restitution {SOLID} --speed 1 --yield 1e9 --rigid-body --against half-space,youn
 restitution {BALL} --speed 0.1 --against exponential | against: got exponential, allowed wall, same or a body (stoss impact meets
 restitution {BALL} --speed 0.1 --against spere | against: got 'spere', allowed wall, same, disk, sphere, rod, half-space, half-plane, plate, strip, exponential, did you mean sphere?
 restitution {BALL} --speed 0.1 --against disk | against: got disk for a sphere, allowed wall, same, sphere, half-space, plate or modal
-restitution {BALL} --speed 0.1 --against sphere,length=2 | against: got 'length', allowed poisson, radius, young, density, loss_time, yield, rigid, material with sphere
+restitution {BALL} --speed 0.1 --against sphere,length=2 | against: got 'length', allowed poisson, radius, young, density, loss_time, quality, yield, rigid, relaxation, young_is, material with sphere
 restitution {BALL} --speed 0.1 --against sphere,raduis=2 | against: got 'raduis'
 restitution {BALL} --speed 0.1 --against sphere, | against: got ''
 restitution {BALL} --speed 0.1 --against , | against: got ''

@@ -137,7 +137,7 @@ TEST(RelaxingLayers, HaveOneRelaxationForAll) {
   const std::string relaxation = R"(,"relaxation":[[0.5,1e-5]])";
   EXPECT_EQ(refusal(ball, plate(relaxation, "", "")),
             "against relaxation: the layers' materials have a relaxation of 0.5:1e-05 and a loss time of 0 s, but one "
-            "holds for the whole plate (give it; loss_time 0: no loss)");
+            "holds for the whole plate (give it, or a loss_time of 0: no loss)");
   for (const std::string& taken :
        {plate(relaxation, relaxation, ""), plate(relaxation, "", R"("relaxation":[[0.2,1e-5]],)")}) {
     EXPECT_NO_THROW((void)encounter_from_json(R"({"first":)" + ball + R"(,"against":)" + taken + "}")) << taken;

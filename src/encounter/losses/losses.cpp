@@ -85,7 +85,7 @@ Losses losses_of(const Participant& of) {
       throw InvalidInput::conflict(times ? "loss_time" : "relaxation",
                                    "the layers' materials have " + in_words(made) + " and " + in_words(other) +
                                        ", but one holds for the whole " + of.kind,
-                                   "give it; loss_time 0: no loss");
+                                   times ? "give it; 0: no loss" : "give it, or a loss_time of 0: no loss");
     }
   }
   require_valid(of, made);

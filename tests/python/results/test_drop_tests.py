@@ -97,7 +97,7 @@ def test_table_of_materials_is_that_of_the_package():
         material = stoss.materials[name]
         assert written(young)[0] == pytest.approx(material.young) and float(poisson) == material.poisson
         assert float(density) == material.density and source
-        frequency = 2 * np.pi * (500 if name == "rubber" else 1e4)
+        frequency = 2 * np.pi * (500 if "rubber" in name else 1e4)
         known = None if material.loss_time is None else 1 / (frequency * material.loss_time)
         assert (float(quality) if quality else None) == pytest.approx(known)
         assert (written(strength)[0] if strength else None) == pytest.approx(material.yield_strength)
