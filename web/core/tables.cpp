@@ -1,6 +1,7 @@
 // What the core knows of kinds, materials, quantities and documents.
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "questions.hpp"
 #include "stoss/encounter/inputs.hpp"
@@ -21,16 +22,11 @@ static void to_json(Json& json, const Parameter& of) {
 }
 
 static void to_json(Json& json, const Kind& kind) {
-  json = {{"name", kind.name},
-          {"help", kind.help},
-          {"solid", !kind.wall},
-          {"bounded", kind.bounded},
-          {"canYield", kind.can_yield},
-          {"hasPlane", kind.has_plane},
-          {"fromFile", kind.from_file},
-          {"length", unit_name(Dimension::length, kind.own)},
-          {"parameters", Json::array()},
-          {"meets", Json::array()}};
+  json = {{"name", kind.name},           {"help", kind.help},
+          {"solid", !kind.wall},         {"bounded", kind.bounded},
+          {"canYield", kind.can_yield},  {"hasPlane", kind.has_plane},
+          {"fromFile", kind.from_file},  {"length", unit_name(Dimension::length, kind.own)},
+          {"parameters", Json::array()}, {"meets", Json::array()}};
   for (const Parameter& each : kind.parameters) {
     if (each.name != "quality") json["parameters"].push_back(Json(each));  // the page asks for loss times only
   }
@@ -75,10 +71,19 @@ val quantities(const Question&) {
   return val(all.dump());
 }
 
+/// The page asks for loss times, which a material that relaxes does not have.
+std::vector<NamedMaterial> materials_with_loss_times() {
+  std::vector<NamedMaterial> all = named_materials();
+  std::erase_if(all, [](const NamedMaterial& each) { return each.material.relaxation.has_value(); });
+  return all;
+}
+
 /// The table of kinds, the named materials and ranges of inputs, as JSON: web/plugins/kinds.mjs writes them for the
 /// page.
 val kinds(const Question&) {
-  return val(Json{{"kinds", stoss::kinds()}, {"materials", named_materials()}, {"ranges", ranges_of_motions()}}.dump());
+  return val(
+      Json{{"kinds", stoss::kinds()}, {"materials", materials_with_loss_times()}, {"ranges", ranges_of_motions()}}
+          .dump());
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ from stoss._arguments import choice, instance, number, refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import BODIES, PARTNERS, Body, Disk, Sphere
 from stoss.bodies._material import NAMES
-from stoss.bodies._solid import KINDS, Solid, Specification, describe, is_rigid
+from stoss.bodies._solid import KINDS, Solid, Specification, describe, is_rigid, relaxes
 from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded, Wall
 
 
@@ -226,6 +226,6 @@ def _named(solid: Solid) -> Specification:
     words = describe(solid)
     if solid.material is None or "material" not in words:  # without a material, of layers or of a file
         return words
-    if solid.loss_time == (solid.material.loss_time or 0.0):
+    if not relaxes(solid.material) and solid.loss_time == (solid.material.loss_time or 0.0):
         words.pop("loss_time", None)
     return {**words, "material": NAMES.get(solid.material, words["material"])}
