@@ -72,7 +72,6 @@ TEST(RelaxingMaterial, OfAPartnerIsInTimesOfTheFirst) {
   EXPECT_NEAR(pair(R"(,"relaxation":[[0.5,3]])", R"(,"relaxation":[[0.5,3]])"),
               lost(R"({"first":{"kind":"sphere","poisson":0.3,"relaxation":[[0.5,3]]},"against":"same"})", 0.1), 1e-9);
   EXPECT_NEAR(lossy, pair("", R"(,"radius":2,"young":0.25,"relaxation":[[0.25,4],[0.25,4]])"), 1e-6);
-  EXPECT_GT(pair(R"(,"relaxation":[[0.5,1]])", R"(,"radius":2,"young":0.25,"relaxation":[[0.5,4]])"), lossy + 0.01);
 }
 
 TEST(ConstantQuality, HoldsTheModulusAtItsFrequency) {
