@@ -23,10 +23,10 @@ std::string refusal(const std::string& first, const std::string& against = R"("w
 }
 
 /// 1 − ε of what a document describes. @param speed as it is given
-double lost(const std::string& document, double speed) {
+double lost(const std::string& document, double speed, double cutoff = 20.0) {
   const Encounter encounter = encounter_from_json(document);
   const double own = speed / speed_unit(encounter);
-  return 1.0 - impact(contact_of(encounter, 20.0, own), own).restitution;
+  return 1.0 - impact(contact_of(encounter, cutoff, own), own).restitution;
 }
 
 TEST(RelaxingMaterial, IsReadFromATextAndWrittenAsOne) {
@@ -72,6 +72,10 @@ TEST(RelaxingMaterial, OfAPartnerIsInTimesOfTheFirst) {
   EXPECT_NEAR(pair(R"(,"relaxation":[[0.5,3]])", R"(,"relaxation":[[0.5,3]])"),
               lost(R"({"first":{"kind":"sphere","poisson":0.3,"relaxation":[[0.5,3]]},"against":"same"})", 0.1), 1e-9);
   EXPECT_NEAR(lossy, pair("", R"(,"radius":2,"young":0.25,"relaxation":[[0.25,4],[0.25,4]])"), 1e-6);
+  // The same two, the other of which has R/c = 4 and c = 1/2, with that one as the first.
+  const std::string turned = R"({"first":{"kind":"sphere","poisson":0.3,"relaxation":[[0.5,1]]},)"
+                             R"("against":{"kind":"sphere","radius":0.5,"young":4}})";
+  EXPECT_NEAR(lost(turned, 0.2, 80.0), lossy, 2e-3);
 }
 
 TEST(ConstantQuality, HoldsTheModulusAtItsFrequency) {
