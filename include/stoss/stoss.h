@@ -88,8 +88,8 @@ int stoss_strip_make(double thickness, double poisson, double young, double dens
                      stoss_body** body);
 
 /**
- * Makes a body of a material that relaxes: E(t) = E(0) (1 - sum of shares (1 - exp(-t/time))), where E(0) is the modulus
- * of the elastic body. Poisson's ratio stays the same.
+ * Makes a body of a material that relaxes: E(t) = E(0) (1 - sum of shares (1 - exp(-t/time))), where E(0) is the
+ * modulus of the elastic body. Poisson's ratio stays the same.
  * @param shares `count` of them, above 0, at most 1 in sum
  * @param times  `count` of them, in the unit of time of the numbers of the body
  * @param count  0 to 20

@@ -78,7 +78,7 @@ Participant read_modal(const std::string& where, const Json& given) {
   require_keys(where, given, {"kind", "body", "relaxation"});
   if (!given.contains("body")) refuse(where, given, "an object with a body, as its file has it");
   Participant made = modal_participant(modal_body_from_json(given["body"].dump(), where + " body"));
-  if (given.contains("relaxation")) made.relaxation = relaxation(where + " relaxation", given["relaxation"]);
+  if (given.contains("relaxation")) made.relaxation = relaxing_terms(where + " relaxation", given["relaxation"]);
   return made;
 }
 
@@ -102,7 +102,7 @@ Participant participant(const std::string& where, const Json& given) {
     } else if (layered && !is_of_all_layers(name)) {
       refuse(where, name, "kind, layers, loss_time, quality, relaxation, young_is");
     } else if (name == "relaxation" && !its.wall) {
-      made.relaxation = relaxation(place, value);
+      made.relaxation = relaxing_terms(place, value);
     } else if (name == "young_is" && !its.wall) {
       relaxed = is_relaxed(place, value);
     } else if (parameter(its, name) != nullptr) {

@@ -143,6 +143,8 @@ class Material:
         object.__setattr__(self, "relaxation", relaxation_of(self.relaxation))
         object.__setattr__(self, "quality", optional_number("quality", quality))
         object.__setattr__(self, "frequency", optional_number("frequency", self.frequency))
+        if self.quality == 0.0:
+            raise refusal("quality", self.quality, "3 to 1e9, or None")
         if self.relaxation is None and self.quality is None and self.frequency is None and young_is == "instantaneous":
             return
         words = {"young_is": young_is} if young_is == "relaxed" else {}

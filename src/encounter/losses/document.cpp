@@ -7,7 +7,7 @@
 
 namespace stoss::json {
 
-Relaxation relaxation(const std::string& where, const Json& given) {
+Relaxation relaxing_terms(const std::string& where, const Json& given) {
   constexpr const char* pairs = "a list of pairs [share, time], as in [[0.5, 1], [0.2, 10]]";
   if (!given.is_array()) refuse(where, given, pairs);
   Relaxation made;
@@ -48,7 +48,8 @@ Material material_of_numbers(const std::string& where, const Json& given) {
       {"yield_strength", optional(material.yield_strength)},
       {"loss_time", optional(material.loss_time)},
       {"surface_energy", optional(material.surface_energy)},
-      {"relaxation", [&](const std::string& of, const Json& value) { material.relaxation = relaxation(of, value); }},
+      {"relaxation",
+       [&](const std::string& of, const Json& value) { material.relaxation = relaxing_terms(of, value); }},
       {"young_is", [&](const std::string& of, const Json& value) { relaxed = is_relaxed(of, value); }},
       {"quality", optional(material.quality)},
       {"frequency", needed(material.frequency)},

@@ -13,7 +13,7 @@ namespace stoss::json {
 [[nodiscard]] Json document_of(const Material& material);
 
 /// Pairs of shares and times. @throws InvalidInput
-[[nodiscard]] Relaxation relaxation(const std::string& where, const Json& given);
+[[nodiscard]] Relaxation relaxing_terms(const std::string& where, const Json& given);
 [[nodiscard]] Json document_of(const Relaxation& relaxation);
 
 /// Whether the modulus that is given is the relaxed one. @throws InvalidInput for other words

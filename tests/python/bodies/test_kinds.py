@@ -45,7 +45,7 @@ def test_fields_are_the_parameters_of_the_core(kind):
     fields = [field.name for field in dataclasses.fields(CLASSES[kind])]
     numbers = [name for name, *_ in KINDS[kind]["numbers"]]
     flags = [name for name in ("plane", "rigid") if KINDS[kind][name]] + ["layers"] * (kind == "plate")
-    assert fields == numbers + ([] if KINDS[kind]["wall"] else ["material"]) + flags
+    assert fields == numbers + ([] if KINDS[kind]["wall"] else ["relaxation", "material"]) + flags
 
 
 @EACH

@@ -46,6 +46,7 @@ def document_of(body, against):
 def test_documents_are_those_of_the_core():
     assert document_of(BALL, stoss.Plate(thickness=2)) == {
         "kind": "plate", "thickness": 2.0, "poisson": 0.3, "young": 1.0, "density": 1.0, "loss_time": 0.0,
+        "quality": 0.0,
     }  # fmt: skip
     one = {"thickness": 0.1, "poisson": 0.3, "young": 4.0, "density": 1.0}
     block = {"poisson": 0.2, "young": 1.0, "density": 1.0}
