@@ -66,7 +66,7 @@ restitution {BALL} --speed 0.1 --loss-time nan | loss_time: got 'nan'
 restitution {BALL} --speed 0.1 --against sphere,loss_time=1e9 | against loss_time: got 1000000000, allowed 0 to 100000
 restitution --body sphere --speed 0.1 --material steal --radius 1 | material: got 'steal', allowed structural steel, glass
 restitution --body sphere --speed 0.1 --material steel --radius 1 | material: got 'steel', allowed 'structural steel' (yields at 235 MPa)
-restitution --body sphere --speed 0.1 --material Glass --radius 1 | material: got 'Glass'
+restitution --body sphere --speed 0.1 --material Gless --radius 1 | material: got 'Gless'
 restitution {STEEL} --speed 0.1 --young 1e9 | young: the material has it already
 restitution --body sphere --speed 0.1 --material glass --radius 0.01 --loss-time 31 | loss_time: got 31, allowed 0 to 0.18898
 restitution {BALL} --speed 0.1 --against plate | against thickness: missing

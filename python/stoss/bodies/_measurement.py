@@ -68,8 +68,9 @@ def relaxation_of_measurement(frequency: ArrayLike, storage: ArrayLike, loss: Ar
         >>> rubber = stoss.Material(young=found.young, poisson=0.49, density=1100, relaxation=found.relaxation)
     """
     given = [numbers(name, each) for name, each in (("frequency", frequency), ("storage", storage), ("loss", loss))]
-    if any(each.ndim != 1 or each.size != given[0].size for each in given):
-        raise refusal("frequency", [each.shape for each in given], "three lists of one length")
+    for name, each in zip(("frequency", "storage", "loss"), given):
+        if each.ndim != 1 or each.size != given[0].size:
+            raise refusal(name, each, "a list of numbers, as many as frequencies")
     terms, young, storage_misfit, loss_misfit = _core.relaxation_of_measurement(*given)
     return FittedRelaxation(
         frequency=given[0], storage=given[1], loss=given[2], young=young, relaxation=terms,
@@ -91,8 +92,10 @@ def shifted(relaxation: Relaxation, c1: float, c2: float, reference: float, temp
         >>> [(share, f"{time:.3g}") for share, time in stoss.shifted([(0.5, 1.0)], 17.4, 51.6, 20, 30)]
         [(0.5, '0.0015')]
     """
+    terms = relaxation_of(relaxation)
+    if terms is None:
+        raise refusal("relaxation", relaxation, "pairs (share, time), as in [(0.5, 1), (0.2, 10)]")
     names = ("c1", "c2", "reference", "temperature")
-    made: Relaxation = _core.shifted(
-        relaxation_of(relaxation) or (), *(number(*each) for each in zip(names, (c1, c2, reference, temperature)))
-    )
+    constants = (number(*each) for each in zip(names, (c1, c2, reference, temperature)))
+    made: Relaxation = _core.shifted(terms, *constants)
     return made
