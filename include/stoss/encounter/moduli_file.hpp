@@ -9,7 +9,9 @@ namespace stoss {
 
 /// Reads moduli from a text with a header and values separated by commas, semicolons or tabs. The columns are
 ///
-///   f or frequency (Hz), or omega (rad/s);   E' or storage;   E'' or loss, or tan_delta
+///   f or frequency in Hz, or omega in rad/s
+///   E' or storage
+///   E'' or loss, or tan_delta
 ///
 /// in any order and in upper or lower case, moduli with a unit behind them, as in `E' [MPa]`, or in Pa. Lines that
 /// begin with # and empty ones do not count.
