@@ -86,9 +86,9 @@ Polynomial integral_of(const Polynomial& p, double factor, double constant) {
 
 const AtNodes& node_places() { return basis().node; }
 
-Fit fit(const AtNodes& values) {
+Interpolant interpolate(const AtNodes& values) {
   const Basis& all = basis();
-  Fit result;
+  Interpolant result;
   for (std::size_t k = 0; k < piece_nodes; ++k) {
     double coefficient = 0.0;
     for (std::size_t i = 0; i < piece_nodes; ++i) coefficient += all.project[k][i] * values[i];

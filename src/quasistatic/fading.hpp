@@ -21,11 +21,11 @@ using Polynomial = std::array<double, piece_nodes + 2>;
 [[nodiscard]] const AtNodes& node_places();
 
 /// What has values at the nodes: a polynomial, and the size of its last two Legendre terms.
-struct Fit {
+struct Interpolant {
   Polynomial polynomial{};
   double tail = 0.0;
 };
-[[nodiscard]] Fit fit(const AtNodes& values);
+[[nodiscard]] Interpolant interpolate(const AtNodes& values);
 
 /// What a material remembers of a rate: ∫ e^(−κ(t − t′)) rate dt′ for each κ.
 using Memories = std::vector<double>;

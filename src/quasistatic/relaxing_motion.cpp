@@ -60,7 +60,7 @@ double solve(Piece& piece, double first_force, Law law) {
   constexpr int most = 40;
   double change = 1.0, before = 2.0;
   for (int i = 0; i < most && (change > 1e-17 && (change > 1e-14 || change < 0.5 * before)); ++i) {
-    piece.push(fit(force).polynomial);
+    piece.push(interpolate(force).polynomial);
     const AtNodes next = law(piece);
     before = std::exchange(change, 0.0);
     for (std::size_t k = 0; k < piece_nodes; ++k) {
@@ -69,7 +69,7 @@ double solve(Piece& piece, double first_force, Law law) {
     if (!(change < 10.0 * before)) break;
     force = next;
   }
-  const Fit last = fit(force);
+  const Interpolant last = interpolate(force);
   piece.push(last.polynomial);
   return change > 1e-14 ? 1.0 : piece.half * last.tail;
 }
@@ -126,7 +126,7 @@ class Course {
         growth[i] = 1.5 * std::sqrt(place) * value_of(its.speed, x);
         elastic[i] = place * std::sqrt(place);
       }
-      const Fit grows = fit(growth);
+      const Interpolant grows = interpolate(growth);
       its.growth = grows.polynomial;
       its.growth_tail = rates_.rate.empty() ? 0.0 : grows.tail;
       for (std::size_t i = 0; i < piece_nodes; ++i) {
