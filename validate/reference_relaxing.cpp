@@ -33,8 +33,8 @@ stoss::Relaxation drawn(int terms, double share, double time) {
   return relaxation;
 }
 
-/// Spheres and disks in turn, every third one at another, every eighth on a half-space, which relax too in every other
-/// case; ν from −0.4 to 0.48, times from 10⁻² to 10² R/c, speeds from 1e-7 to 0.3.
+/// Spheres and disks in turn, every third one at another, every fourth on a half-space, of which two in three relax
+/// too; ν from −0.4 to 0.48, times from 10⁻² to 10² R/c, speeds from 1e-7 to 0.3.
 std::vector<Point> design() {
   std::vector<Point> all;
   const auto poisson = [](double x) { return rounded("%.2f", -0.4 + 0.88 * x); };

@@ -13,6 +13,7 @@
 #include "modal_report.hpp"
 #include "oblique_report.hpp"
 #include "plate_report.hpp"
+#include "relaxing_report.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "text.hpp"
 #include "times.hpp"
@@ -160,26 +161,6 @@ void write_points(std::ostream& out, const std::vector<Point>& points, const Ans
   for (std::size_t i = 0; i < points.size(); ++i) write_point(out, points[i], answers[i]);
 }
 
-void write_relaxing_points(std::ostream& out, const std::vector<Point>& points, const Answers& answers) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point& point = points[i];
-    const stoss::Estimate &reference = *point.reference[lost_fraction], &value = answers[i].value[lost_fraction];
-    const Deviation off = deviation(value, reference);
-    out << "| " << (point.sphere ? "sphere" : "disk") << " | " << text_of(point.relaxation) << " |"
-        << cell("%g", point.poisson);
-    if (point.against) {
-      out << cell("%g", point.against->poisson)
-          << (point.half_space ? std::string(" half-space |") : cell("%g", point.against->radius)) << " "
-          << text_of(point.against_relaxation) << " |";
-    } else {
-      out << " | | |";
-    }
-    out << cell("%.4g", point.speed) << cell("%.8f", reference.value) << cell("%.1e", reference.error)
-        << cell("%.8f", value.value) << cell("%.1e", value.error) << cell(off.padding ? "%.2f" : "%.2f u", off.ratio)
-        << cell("%.0f", answers[i].cutoff) << "\n";
-  }
-}
-
 Judged judge(const char* what, const std::vector<Point>& points) {
   const Contacts contacts = make_contacts(points);
   Judged judged{what, points, {}};
@@ -194,14 +175,17 @@ Judged judge(const char* what, const std::vector<Point>& points) {
 
 bool write_relaxing(std::ostream& out) {
   const Judged relaxing = judge("relaxing", read_relaxing());
+  out << text::verdict;
+  bool all_honest = true;
+  for (std::size_t i = 0; i < tolerances.size(); ++i) {
+    write_verdict(out, relaxing, i);
+    all_honest = all_honest && honest(tally(relaxing.points, relaxing.answers[i], lost_fraction));
+  }
   out << text::relaxing_tally;
   write_tallies(out, relaxing.points, relaxing.answers);
-  for (const Answers& each : relaxing.answers) {
-    out << text::relaxing_points;
-    write_relaxing_points(out, relaxing.points, each);
-  }
-  return std::all_of(relaxing.answers.begin(), relaxing.answers.end(),
-                     [&](const Answers& each) { return honest(tally(relaxing.points, each, lost_fraction)); });
+  out << text::relaxing_points;
+  write_relaxing_points(out, relaxing.points, relaxing.answers[by_default]);
+  return all_honest;
 }
 
 bool write_report(std::ostream& out) {
