@@ -170,7 +170,8 @@ inline constexpr const char* lossy_points = R"(
 inline constexpr const char* relaxing_points = R"(
 ## All bodies that relax at the default tolerance
 
-Shares of E(0) with their times in R/c, and ν, of the first; ν, R and terms of the second, where there is one.
+Shares of E(0) with their times in R/c, and ν, of the first; ν, R and terms of the second, where
+there is one.
 
 | body | terms | ν | ν₂ | R₂ | terms₂ | v | 1−ε², reference | uncertainty | 1−ε² | error | ratio | cutoff |
 |---|---|---:|---:|---:|---|---:|---:|---:|---:|---:|---:|---:|
