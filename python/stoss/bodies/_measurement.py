@@ -97,5 +97,4 @@ def shifted(relaxation: Relaxation, c1: float, c2: float, reference: float, temp
         raise refusal("relaxation", relaxation, "pairs (share, time), as in [(0.5, 1), (0.2, 10)]")
     names = ("c1", "c2", "reference", "temperature")
     constants = (number(*each) for each in zip(names, (c1, c2, reference, temperature)))
-    made: Relaxation = _core.shifted(terms, *constants)
-    return made
+    return relaxation_of(_core.shifted(terms, *constants)) or ()

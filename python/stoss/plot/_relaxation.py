@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from matplotlib.axes import Axes
 import numpy as np
 
@@ -21,8 +23,8 @@ def master_curve(fitted: FittedRelaxation, ax: Axes | None = None) -> Axes:
     """
     omega = np.geomspace(fitted.frequency[0], fitted.frequency[-1], 300)
     its = fitted.modulus(omega)
-    look = {"xscale": "log", "yscale": "log", "xlabel": "frequency ω / (rad/s)", "ylabel": "modulus / Pa"}
-    with _style.canvas(ax, **look) as axes:
+    labels: dict[str, Any] = {"xlabel": "frequency ω / (rad/s)", "ylabel": "modulus / Pa"}
+    with _style.canvas(ax, size=(_style.COLUMN, 2.5), xscale="log", yscale="log", **labels) as axes:
         for measured, line, name, colour in (
             (fitted.storage, its.real, "E′", _style.BLUE), (fitted.loss, its.imag, "E″", _style.ORANGE),
         ):  # fmt: skip
