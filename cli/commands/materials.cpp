@@ -84,7 +84,7 @@ void run(const MaterialsArguments& arguments) {
   if (arguments.output.chosen_format() == Format::table) {
     writer.close_table(
         (arguments.name.empty() ? "" : all_of(shown.front())) +
-        "\nquality: at contacts of 50 us (rubber: 1 ms); nothing: not known well enough, or a relaxation\n" +
+        "\nquality: at contacts of 50 us (rubber: 1 ms); nothing: not known well enough,\nor a relaxation\n" +
         (arguments.name.empty() ? "all of one: stoss materials NAME; all of all: --format json\n" : ""));
   }
   writer.finish();

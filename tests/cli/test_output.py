@@ -88,7 +88,7 @@ printf '%s\\n' "${{COMPREPLY[@]}}\""""
         return result.stdout.split()
 
     bodies = ["wall", "same", "disk", "sphere", "rod", "half-space", "half-plane", "plate", "strip"]
-    assert complete("stoss re") == ["restitution"]
+    assert complete("stoss re") == ["restitution", "relaxation"]
     assert complete("stoss impact --tr") == ["--trajectory"]
     assert complete("stoss restitution --format ") == ["table", "csv", "json"]
     assert complete("stoss restitution --against ") == bodies

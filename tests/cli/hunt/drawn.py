@@ -73,8 +73,8 @@ class Drawer:
         count = rnd.choice((1, 1, 2, 3, 20)) if other == "plate" else 1
         layers = [self._body(rnd, self.partners[other], si) for _ in range(count)]
         if count > 1:  # one holds for all of them
-            layers[0]["loss_time"] = 0
-            layers = [{k: v for k, v in layer.items() if i == 0 or k != "loss_time"} for i, layer in enumerate(layers)]
+            shared = ("loss_time", "quality", "relaxation")
+            layers = [{k: v for k, v in layer.items() if i == 0 or k not in shared} for i, layer in enumerate(layers)]
         return ["--against", other + "".join("/"[: i > 0] + _as_keys(layer, i) for i, layer in enumerate(layers))]
 
     def _body(self, rnd, properties, si, unit=False):
@@ -94,6 +94,8 @@ class Drawer:
                     continue
                 if needed or rnd.random() < (0.1 if name == "loss_time" else 0.3):
                     body[name] = _number(rnd, what, si)
+        if "loss_time" in properties and not {"loss_time", "quality"} & set(body) and rnd.random() < 0.1:
+            body["relaxation"] = rnd.choice(("0.5:1", "0.3:1e-5+0.2:1e-3", "0.9:0.1", "0.6:1+0.6:2"))
         return body
 
 
@@ -110,7 +112,7 @@ def _logarithmic(rnd, low, high):
 
 def _as_options(body, command):
     for name, value in body.items():
-        if command in ("modes", "quasistatic") and name in ("loss_time", "rigid"):
+        if command in ("modes", "quasistatic") and name in ("loss_time", "quality", "relaxation", "rigid"):
             continue
         if value is True:
             yield "--rigid-body"

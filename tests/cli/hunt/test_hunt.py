@@ -14,7 +14,7 @@ KNOWN = []
 # Options of every command that do not change what is computed.
 PLAIN = {"help", "quiet", "output", "resume", "threads", "trajectory", "every", "format"}
 # Those that follow from the kinds or that a command must have.
-DRAWN = {"body", "poisson", "rigid-body", "loss-time", "material", "radius", "young", "density", "length", "area",
+DRAWN = {"body", "poisson", "rigid-body", "loss-time", "quality", "relaxation", "young-is", "material", "radius", "young", "density", "length", "area",
          "plane", "yield", "against", "speed", "height", "angle", "tangential", "friction", "mode", "flight-time",
          "gravity", "temperature", "spectrum", "compression", "ratio", "oblique", "predict"}
 
