@@ -47,11 +47,11 @@ py::list all_inputs() {
 }
 
 /// Pairs of shares and times, or None.
-py::object terms_of(const std::optional<Relaxation>& relaxation) {
-  if (!relaxation) return py::none();
-  py::list terms;
-  for (const RelaxationTerm& each : relaxation->terms) terms.append(py::make_tuple(each.share, each.time));
-  return py::tuple(terms);
+std::optional<std::vector<std::pair<double, double>>> terms_of(const std::optional<Relaxation>& relaxation) {
+  if (!relaxation) return std::nullopt;
+  std::vector<std::pair<double, double>> terms;
+  for (const RelaxationTerm& each : relaxation->terms) terms.emplace_back(each.share, each.time);
+  return terms;
 }
 
 py::list all_materials() {

@@ -73,7 +73,7 @@ def relaxation_of_measurement(frequency: ArrayLike, storage: ArrayLike, loss: Ar
             raise refusal(name, each, "a list of numbers, as many as frequencies")
     terms, young, storage_misfit, loss_misfit = _core.relaxation_of_measurement(*given)
     return FittedRelaxation(
-        frequency=given[0], storage=given[1], loss=given[2], young=young, relaxation=terms,
+        frequency=given[0], storage=given[1], loss=given[2], young=young, relaxation=relaxation_of(terms) or (),
         storage_misfit=storage_misfit, loss_misfit=loss_misfit,
     )  # fmt: skip
 
