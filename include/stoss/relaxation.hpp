@@ -13,7 +13,7 @@ struct RelaxationTerm {
   bool operator==(const RelaxationTerm&) const = default;
 };
 
-/// How the moduli of a material relax, all of them alike: a Prony series.
+/// Relaxation of all moduli of a material by one Prony series.
 ///
 ///   E(t) = E∞ + Σ E_j e^(−t/τ_j),   E(0) = E∞ + Σ E_j,   M(s) = [E∞ + Σ E_j sτ_j/(1 + sτ_j)]/E(0)
 ///

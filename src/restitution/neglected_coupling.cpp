@@ -22,7 +22,7 @@ bool are_equal(const Contact& contact, double dundurs) {
   const Body &one = *contact.first, &other = *contact.second;
   return one.scale.length == other.scale.length && one.scale.speed == other.scale.speed &&
          one.scale.mass == other.scale.mass && one.softness == other.softness && one.loss_time == other.loss_time &&
-         dundurs == 0.0;
+         one.relaxation == other.relaxation && dundurs == 0.0;
 }
 
 /// Cutoff for some 120 steps in contact, on the ladder of those of a contact.
