@@ -1,7 +1,7 @@
 # The short way in. Everything here can also be done with the CMake presets (cmake --list-presets).
 .DEFAULT_GOAL := help
 .PHONY: help setup build python modal-tools demo web web-serve wheel npm static deb try test test-fast test-friends test-long coverage systems bench bench-compare \
-	validate results docs paper paper-quick format lint install uninstall clean
+	calibrate validate results docs paper paper-quick format lint install uninstall clean
 
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
@@ -80,6 +80,11 @@ bench: setup python ## benchmarks, with the paper's protocol and finite elements
 
 bench-compare: ## has anything become slower since the last release? (THRESHOLD=1.3, of bench/history.jsonl)
 	@$(PYTHON) bench/compare.py --threshold $(THRESHOLD)
+
+calibrate: setup ## what the references ask of each constant of the error bars (src/restitution/calibration.hpp)
+	@cmake --preset release -DSTOSS_BUILD_VALIDATE=ON
+	@cmake --build --preset release -j $(JOBS) --target stoss_validate
+	@build/release/validate/stoss_validate --calibrate
 
 validate: setup ## do the errors of restitution hold? writes docs/developer/validation.md, its points as CSV and picture
 	@cmake --preset release -DSTOSS_BUILD_VALIDATE=ON

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include "calibrate.hpp"
 #include "modal_report.hpp"
 #include "plate_report.hpp"
 #include "reference.hpp"
@@ -87,11 +88,12 @@ int run(int argc, char** argv) {
     validate::make_oblique_reference(argv[2]);
     return 0;
   }
+  if (first == "--calibrate" && argc == 2) return validate::write_calibration(std::cout) ? 0 : 1;
   if (first == "--plates" && argc == 2) return plates() ? 0 : 1;
   if (first == "--modal" && argc == 2) return validate::write_modal(std::cout) ? 0 : 1;
   if (argc == 1) return report("");
   if (argc == 2 && first.rfind(markdown, 0) == 0) return report(first.substr(markdown.size()));
-  std::cerr << "usage: stoss_validate [--markdown=FILE | --plates | --modal | --relaxing]\n       stoss_validate "
+  std::cerr << "usage: stoss_validate [--markdown=FILE | --calibrate | --plates | --modal | --relaxing]\n       stoss_validate "
                "--make-reference FILE\n"
                "       stoss_validate --make-unseen-reference FILE\n"
                "       stoss_validate --make-pair-reference FILE\n"

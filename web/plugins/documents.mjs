@@ -27,7 +27,9 @@ function typeOf(schema, indent) {
     case 'number': return 'number';
     case 'string': return 'string';
     case 'boolean': return 'boolean';
-    case 'array': return `readonly ${inParentheses(typeOf(schema.items, indent))}[]`;
+    case 'array':
+      if (schema.prefixItems) return `readonly [${schema.prefixItems.map((each) => typeOf(each, indent)).join(', ')}]`;
+      return `readonly ${inParentheses(typeOf(schema.items, indent))}[]`;
     case 'object': return objectOf(schema, indent);
   }
   if (schema.oneOf) return schema.oneOf.map((each) => `\n${indent}  | ${typeOf(each, `${indent}  `)}`).join('');

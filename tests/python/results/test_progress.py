@@ -29,7 +29,7 @@ WAITING = {
         RODS, circumference=20, velocities=[1e-3, 0], collisions=1, **more)),
 }  # fmt: skip
 COUNTING = {"fit", "oblique", "restitution", "restitution_distribution", "sweep"}
-AT_ONCE = {"atlas", "merge", "modes", "open_sweep", "read_csv", "with_error"}
+AT_ONCE = {"atlas", "merge", "modes", "open_sweep", "read_csv", "relaxation_of_measurement", "shifted", "with_error"}
 """Calls that look up, read or write: less than 5 s."""
 
 
