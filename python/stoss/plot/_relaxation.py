@@ -11,6 +11,7 @@ from stoss.bodies._measurement import FittedRelaxation
 from stoss.plot import _style
 
 
+@_style.picture_of(FittedRelaxation)
 def master_curve(fitted: FittedRelaxation, ax: Axes | None = None) -> Axes:
     """Measured E′ and E″ against frequency, as points, and those of the fitted relaxation, as lines.
 

@@ -46,6 +46,8 @@ PICTURES = {
     "grip": (lambda: computed("oblique trajectory"), {}, ("y / R",)),
     "half_width": (lambda: computed("trajectory of a disk"), {}, ("contact half-width / R",)),
     "ledger": (lambda: computed("impact-static"), {}, ("angular order n", "energy after impact / initial")),
+    "master_curve": (lambda: stoss.relaxation_of_measurement([1, 10, 100], [1e6, 1.2e6, 1.5e6], [1e5, 2e5, 1e5]), {},
+     ("frequency ω / (rad/s)", "modulus / Pa", "E′", "E″")),
     "mode_shape": (lambda: computed("modes"), {"order": 2, "index": 0}, ("x / R", "(n, l) = (2, 0), ω = 1.439 c/R")),
     "oblique": (lambda: stoss.oblique(BALL, speed=1.0, angle=[10, 30], friction=0.3), {}, ("$\\varepsilon_n$",
      "$\\varepsilon_t$")),
