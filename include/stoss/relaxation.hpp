@@ -3,6 +3,8 @@
 #include <complex>
 #include <vector>
 
+#include "stoss/cxx20.hpp"
+
 namespace stoss {
 
 /// A part of the instantaneous modulus that relaxes: E_j e^(−t/τ_j).
