@@ -93,7 +93,8 @@ int run(int argc, char** argv) {
   if (first == "--modal" && argc == 2) return validate::write_modal(std::cout) ? 0 : 1;
   if (argc == 1) return report("");
   if (argc == 2 && first.rfind(markdown, 0) == 0) return report(first.substr(markdown.size()));
-  std::cerr << "usage: stoss_validate [--markdown=FILE | --calibrate | --plates | --modal | --relaxing]\n       stoss_validate "
+  std::cerr << "usage: stoss_validate [--markdown=FILE | --calibrate | --plates | --modal | --relaxing]\n       "
+               "stoss_validate "
                "--make-reference FILE\n"
                "       stoss_validate --make-unseen-reference FILE\n"
                "       stoss_validate --make-pair-reference FILE\n"
