@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <cstdint>
-#include <sstream>
 #include <string>
 
+#include "stoss/encounter/relaxing.hpp"
 #include "stoss/vibration/ensemble.hpp"
 #include "support/csv.hpp"
 
@@ -35,16 +35,6 @@ Point read_full_point(const CsvRow& row) {
   point.reference[max_force] = estimate(row, "max_force", "max_force_uncertainty");
   point.reference[max_compression] = estimate(row, "max_compression", "max_compression_uncertainty");
   return point;
-}
-
-stoss::Relaxation relaxation_of(const std::string& text) {
-  stoss::Relaxation relaxation;
-  std::istringstream all(text);
-  for (std::string term; std::getline(all, term, '+');) {
-    const std::size_t colon = term.find(':');
-    relaxation.terms.push_back({std::stod(term.substr(0, colon)), std::stod(term.substr(colon + 1))});
-  }
-  return relaxation;
 }
 
 std::vector<Point> read_full_points(const std::string& path) {
@@ -104,22 +94,16 @@ std::vector<Point> read_lossy() {
   return points;
 }
 
-std::string text_of(const stoss::Relaxation& relaxation) {
-  std::ostringstream text;
-  for (const stoss::RelaxationTerm& term : relaxation.terms) {
-    text << (text.tellp() > 0 ? "+" : "") << term.share << ':' << term.time;
-  }
-  return text.str();
-}
-
 std::vector<Point> read_relaxing() {
   std::vector<Point> points;
   for (const CsvRow& row : stoss::test::read_csv("../../validate/data/reference_relaxing.csv")) {
     Point point = read_full_point(row);
     point.sphere = row.text("body") == "sphere";
     point.half_space = row.number("half_space") == 1.0;
-    point.relaxation = relaxation_of(row.text("terms"));
-    point.against_relaxation = relaxation_of(row.text("against_terms"));
+    point.relaxation = stoss::parse_relaxation("terms", row.text("terms"));
+    if (row.has("against_terms")) {
+      point.against_relaxation = stoss::parse_relaxation("against_terms", row.text("against_terms"));
+    }
     if (row.has("against_radius")) {
       point.against = stoss::Disk{.poisson = row.number("against_poisson"), .radius = row.number("against_radius")};
     }

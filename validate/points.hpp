@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
@@ -70,9 +69,6 @@ std::vector<Point> read_lossy();
 /// Spheres and disks that relax: those of validate/data/reference_relaxing.csv. @throws std::runtime_error as
 /// read_points
 std::vector<Point> read_relaxing();
-
-/// "share:time+share:time", as a reference has it.
-std::string text_of(const stoss::Relaxation& relaxation);
 
 /// Disks, spheres and pairs that vibrate: those of validate/data/reference_vibrating.csv.
 /// @throws std::runtime_error as read_points

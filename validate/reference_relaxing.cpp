@@ -7,6 +7,7 @@
 #include "judgement.hpp"
 #include "reference.hpp"
 #include "runs.hpp"
+#include "stoss/encounter/relaxing.hpp"
 
 namespace validate {
 namespace {

@@ -3,6 +3,7 @@
 #include <ostream>
 #include <string>
 
+#include "stoss/encounter/relaxing.hpp"
 #include "tally_rows.hpp"
 
 namespace validate {

@@ -3,28 +3,17 @@
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
-#include <string>
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/sphere.hpp"
+#include "stoss/encounter/relaxing.hpp"
 #include "stoss/relaxation.hpp"
 #include "stoss/restitution/restitution.hpp"
 #include "support/csv.hpp"
 
 namespace stoss {
 namespace {
-
-Relaxation terms(const std::string& text) {
-  Relaxation relaxation;
-  std::istringstream all(text);
-  for (std::string term; std::getline(all, term, '+');) {
-    const std::size_t colon = term.find(':');
-    relaxation.terms.push_back({std::stod(term.substr(0, colon)), std::stod(term.substr(colon + 1))});
-  }
-  return relaxation;
-}
 
 BodyMaker ball(const Relaxation& relaxation) { return relaxing(sphere(Sphere{0.3}), relaxation); }
 
@@ -34,7 +23,8 @@ TEST(RelaxingBodies, AgreeWithFiniteElements) {
   for (const test::CsvRow& row : test::read_csv("relaxing_restitution.csv")) {
     const double poisson = row.number("poisson");
     const bool round = row.text("body") == "sphere";
-    const BodyMaker body = relaxing(round ? sphere(Sphere{poisson}) : disk(Disk{poisson}), terms(row.text("terms")));
+    const BodyMaker body =
+        relaxing(round ? sphere(Sphere{poisson}) : disk(Disk{poisson}), parse_relaxation("terms", row.text("terms")));
     const double mass = round ? 4.0 / 3.0 * std::numbers::pi : std::numbers::pi;
     for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
       const Restitution result = restitution(body, row.number("speed"), {.tolerance = tolerance});
