@@ -15,12 +15,13 @@ SETS = {
     "All spheres at the default tolerance": "sphere at a wall",
     "All impacts on half-spaces at the default tolerance": "half-space",
     "All lossy bodies at the default tolerance": "lossy",
+    "All bodies that relax at the default tolerance": "relaxing",
     "All vibrating bodies at the error 10⁻³": "vibrating",
     "Balls on plates": "plate",
     "Bodies by their modes at a point": "by its modes",
 }
 COLUMNS = ["1−ε², reference", "uncertainty", "1−ε²", "error", "ratio"]
-COLOURS = ["#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#000000", "#999999"]
+COLOURS = ["#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#000000", "#999999", "#F0E442"]
 
 
 def points(text):
