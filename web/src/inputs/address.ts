@@ -10,7 +10,9 @@ import {
 import { motionFieldsOf, motions, names } from './fields';
 import { fileNamed, nameOf } from './files';
 import { type Inputs, type View, defaults, dropOf, firstBall, mostKept, siSpeed, speedOf } from './inputs';
-import { type BodyField, type BodyKind, blockOf, blocks, bodyKinds, materialNamed, materials } from './kinds';
+import {
+  type BodyField, type BodyKind, blockOf, blocks, bodyKinds, isLossName, materialNamed, materials,
+} from './kinds';
 import { barSpeed } from './units';
 
 const keyOf = (field: BodyField, second: boolean): string => names[field][1] + (second ? '2' : '');
@@ -37,7 +39,10 @@ export function toAddress(inputs: Inputs): string {
 }
 
 /** Whether a body of a named material has such a number of its own. */
-const isOwn = (field: BodyField): boolean => ['radius', 'thickness', 'loss_time'].includes(field);
+const isOwn = (field: BodyField): boolean => ['radius', 'thickness'].includes(field) || isLossName(field);
+
+/** Whether a loss stands for that of the body: without a quality it is the loss time, be it 0. */
+const isGiven = (name: BodyField, { quality }: Body): boolean => (name === 'quality') === (quality !== 0);
 
 const grounds = ['half-space', 'plate', 'same'] as const;
 const solids = materials.map(({ name }) => name) as [string, ...string[]];
@@ -47,7 +52,7 @@ function ballPairs(encounter: Encounter): string[] {
   const { against, first, second } = meetingOf(encounter);
   const its = ({ solid, material, body, fields, second: other }: Side): string[] => [
     `${other ? 'material2' : 'material'}=${encodeURIComponent(solid!.name)}`,
-    ...fields.filter((name) => isOwn(name) && !(name === 'loss_time' && material))
+    ...fields.filter((name) => isOwn(name) && !(isLossName(name) && (material || !isGiven(name, body))))
       .map((name) => `${keyOf(name, other)}=${shortest(body[name])}`),
   ];
   return [...its(first), ...(against === 'half-space' ? [] : [`against=${against}`]), ...(second ? its(second) : [])];
@@ -56,7 +61,7 @@ function ballPairs(encounter: Encounter): string[] {
 function pairsOf(encounter: Encounter, between: string): string[] {
   const { kind, si, against, first, second } = meetingOf(encounter);
   const numbers = ({ body, fields, second: other, file }: Side): [string, string][] => (
-    file ? [[other ? 'file2' : 'file', nameOf(file)]] : fields.filter((name) => name !== 'loss_time' || body[name] !== 0)
+    file ? [[other ? 'file2' : 'file', nameOf(file)]] : fields.filter((name) => !isLossName(name) || body[name] !== 0)
       .map((name) => [keyOf(name, other), shortest(body[name])]));
   const pairs: [string, string][] = [
     ['body', kind], ...(first.file ? numbers(first) : []), ...(si ? [['units', 'SI']] as const : []),
@@ -157,8 +162,8 @@ function encounterFrom(reader: Reader, view: View): Encounter {
     if (its) encounter = { ...encounter, [second ? 'against' : 'first']: ofFile(its) };
     else if (side) {
       const solid = isBall ? materialNamed(reader.word(second ? 'material2' : 'material', solids)) : undefined;
-      const numbers = side.fields.filter((field) => !solid || isOwn(field)).map((field) => [field, field === 'loss_time'
-        ? reader.number(keyOf(field, second), solid?.loss_time ?? 0, true) : reader.number(keyOf(field, second), without[field])]);
+      const numbers = side.fields.filter((field) => !solid || isOwn(field)).map((field) => [field, isLossName(field)
+        ? reader.number(keyOf(field, second), (field === 'loss_time' && solid?.loss_time) || 0, true) : reader.number(keyOf(field, second), without[field])]);
       const body = solid ? madeOf(solid, without) : without;
       encounter = withBody(encounter, second, { ...body, ...Object.fromEntries(numbers) as Body }, choice);
     }

@@ -3,7 +3,7 @@ import type { Encounter } from 'stoss';
 import { unitsOf } from '../core/local';
 import {
   type Block, type BodyField, type BodyKind, type Kind, type Material, blockOf, blocks, fileKind,
-  kindNamed, materialNamed, materials, parametersOf, sizeOf,
+  isLossName, kindNamed, materialNamed, materials, parametersOf, sizeOf,
 } from './kinds';
 
 /** Numbers of a body or a block, in SI or in units of the first body, which are all 1. What its kind does not have is
@@ -56,7 +56,7 @@ export interface Meeting extends Choice {
 
 /** A body that is its own unit and loses nothing. */
 export const unitBody: Body =
-  { poisson: 0.33, young: 1, density: 1, radius: 1, length: 1, area: 1, thickness: 1, loss_time: 0 };
+  { poisson: 0.33, young: 1, density: 1, radius: 1, length: 1, area: 1, thickness: 1, loss_time: 0, quality: 0 };
 
 /** What SI begins with: a ball of a bearing of 1 cm. */
 export const centimetre: Body = { ...unitBody, radius: 0.01, length: 0.01, area: 1e-4, thickness: 0.01 };
@@ -64,29 +64,30 @@ export const ball = madeOf(materialNamed('bearing steel'), centimetre);
 
 /** The body made of a material, of the same size. */
 export function madeOf<Sizes extends Partial<Body>>({ young, poisson, density, loss_time }: Material, body: Sizes) {
-  return { ...body, young, poisson, density, loss_time };
+  return { ...body, young, poisson, density, loss_time, quality: 0 };
 }
 
 /** Numbers by which a body or a block is given. In SI some of them are of a material. Without SI the first body has as
  *  its units what would have a default. */
 function fieldsOf(kind: Kind, si: boolean, second: boolean): BodyField[] {
   return parametersOf(kind)
-    .filter((its) => si || second || its.otherwise === undefined || its.name === 'loss_time').map(({ name }) => name);
+    .filter((its) => si || second || its.otherwise === undefined || isLossName(its.name)).map(({ name }) => name);
 }
 
 /** A body or a block of these numbers; in SI of a material by its name, where they are those of one. */
 function participant(kind: Kind, body: Body, { si, plane }: Choice, second: boolean): Participant {
   const ofMaterial = kind.parameters.filter((each) => each.ofMaterial).map(({ name }) => name);
   const own = fieldsOf(kind, si, second).filter((name) => !(si && ofMaterial.includes(name)));
-  const { loss_time, ...sizes } = Object.fromEntries(own.map((name) => [name, body[name]]));
-  if (!si) return { kind: kind.name, ...sizes, loss_time: body.loss_time };
+  const sizes = Object.fromEntries(own.filter((name) => !isLossName(name)).map((name) => [name, body[name]]));
+  const loss = body.quality === 0 ? { loss_time: body.loss_time } : { quality: body.quality };
+  if (!si) return { kind: kind.name, ...sizes, ...loss };
   const solid = materials.find((its) => ofMaterial.every((name) => its[name as keyof Material] === body[name]));
-  const known = solid && Math.abs(solid.loss_time - body.loss_time) <= 1e-9 * body.loss_time;
+  const known = solid && body.quality === 0 && Math.abs(solid.loss_time - body.loss_time) <= 1e-9 * body.loss_time;
   const { young, density } = body;
   const poisson = ofMaterial.includes('poisson') ? body.poisson : 0.3; // a rod does without
   return {
     kind: kind.name, ...sizes, material: solid?.name ?? { young, poisson, density },
-    ...(known ? {} : { loss_time: body.loss_time }), ...(kind.hasPlane && { plane }),
+    ...(known ? {} : loss), ...(kind.hasPlane && { plane }),
   };
 }
 
@@ -121,8 +122,10 @@ function sideOf(given: Participant, si: boolean, second: boolean): Side {
   const kind = kindNamed(file ? 'sphere' : name);
   const fields = file ? [] : fieldsOf(kind, si, second);
   const solid = typeof material === 'string' ? materialNamed(material) : undefined;
-  const body = file ? standIn(file) : { ...(si ? centimetre : unitBody), ...(solid ? madeOf(solid, {}) : material as Body), ...own };
-  const its = own.loss_time === undefined ? solid : undefined;
+  const losses = own.quality === undefined ? {} : { loss_time: 0 };
+  const body = file ? standIn(file)
+    : { ...(si ? centimetre : unitBody), ...(solid ? madeOf(solid, {}) : material as Body), ...losses, ...own };
+  const its = own.loss_time === undefined && own.quality === undefined ? solid : undefined;
   return { kind, si, body, second, fields, strain: plane === 'strain', solid, material: its, file };
 }
 

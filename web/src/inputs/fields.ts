@@ -5,7 +5,7 @@ import { type Word, say } from '../drawing/words';
 import { ranges } from '../generated/kinds';
 import { meetingOf, meetsBody, withBody } from './document';
 import { type Impact, type Inputs, dropOf, isOblique, speedOf, takesFriction } from './inputs';
-import { type BodyField, blockOf, kindNamed } from './kinds';
+import { type BodyField, blockOf, isLossName, kindNamed } from './kinds';
 
 /** A number of the first body or of what it meets. */
 export type PlacedField = BodyField | `${BodyField}2`;
@@ -40,8 +40,11 @@ export function fieldsOf(inputs: Impact & Partial<Pick<Inputs, 'view'>>): Field[
   return [...asked, ...motionFieldsOf(inputs)];
 }
 
-/** Whether it is a loss time, of whichever body. */
-export const isLoss = (field: Field): boolean => owner(field)?.name === 'loss_time';
+/** Whether it is a loss, of whichever body. */
+export function isLoss(field: Field): boolean {
+  const place = owner(field);
+  return place !== undefined && isLossName(place.name);
+}
 
 /** What a class measures in place of a number of the core, in a unit of its own. */
 interface Measure {
@@ -86,17 +89,20 @@ export function valueOf(inputs: Impact, field: Field): number {
   return (place.second ? second! : first).body[place.name];
 }
 
-/** The encounter with another number in one field of a body. */
+/** The encounter with another number in one field of a body. A loss takes the place of another. */
 export function withValue(encounter: Encounter, field: PlacedField, value: number): Encounter {
   const { second, name } = owner(field)!;
   const its = meetingOf(encounter);
-  return withBody(encounter, second, { ...(second ? its.second! : its.first).body, [name]: value });
+  const { body } = second ? its.second! : its.first;
+  const losses = isLossName(name) && value !== 0 ? { loss_time: 0, quality: 0 } : {};
+  return withBody(encounter, second, { ...body, ...losses, [name]: value });
 }
 
 /** A number of a body: its symbol, and its key in the address. */
 export const names: Record<BodyField, [symbol: string, key: string]> = {
   poisson: ['ν', 'nu'], young: ['E', 'E'], density: ['ρ', 'rho'], radius: ['R', 'R'], length: ['L', 'R'],
   area: ['A', 'A'], thickness: ['h', 'h'], loss_time: ['η', 'eta'],
+  quality: ['Q', 'Q'],
 };
 
 /** What the page says of a field. */
@@ -126,7 +132,7 @@ export function wordsOf(encounter: Encounter, field: Field): Words {
   const [symbol] = names[key];
   const name = say(si ? `field.${key}` : key === 'poisson' && hasPlane ? 'field.poisson_plane'
     : key === 'young' && second ? 'field.modulus' : `field.${key}`);
-  const ratio = second && !si && !['ν', 'η'].includes(symbol);
+  const ratio = second && !si && !['ν', 'η', 'Q'].includes(symbol);
   const ratioOf = parameters.some((each) => each.name === key) ? `${symbol}₂/${symbol}₁` : `${symbol}/${length}`;
   return {
     name, label: `${name} ${ratio ? ratioOf : symbol}`, help,

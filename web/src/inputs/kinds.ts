@@ -65,10 +65,13 @@ export function blockOf(kind: BodyKind, against: string): Kind | undefined {
   return isBlock(against) ? blocksOf(kind)[blocks.indexOf(against)] : undefined;
 }
 
+/** Whether a number is the loss of a material. A body has one of them at most: the others are 0. */
+export const isLossName = (name: BodyField): boolean => name === 'loss_time' || name === 'quality';
+
 /** Numbers of a kind, in the order of the page: the material, the size, the loss. */
 export function parametersOf(kind: Kind): Parameter[] {
   const rank = ({ ofMaterial, name }: Parameter): number =>
-    (name === 'poisson' ? 0 : ofMaterial ? 1 : name === 'loss_time' ? 3 : 2);
+    (name === 'poisson' ? 0 : ofMaterial ? 1 : isLossName(name) ? 3 : 2);
   return [...kind.parameters].sort((a, b) => rank(a) - rank(b));
 }
 

@@ -28,7 +28,7 @@ export function withoutSi(inputs: Inputs): Inputs {
   const block = blockOf(choice.kind, choice.against);
   const thickness = block && lengthOf(block);
   const ratios = (body: Body, { young, poisson = body.poisson }: Elastic): Body => {
-    const own: Partial<Body> = { young, poisson, loss_time: body.loss_time / units.time };
+    const own: Partial<Body> = { young, poisson, loss_time: body.loss_time / units.time, quality: body.quality };
     return changed(body, (value, name) => own[name] ?? value / first.body[name === thickness ? sizeOf(choice.kind) : name]);
   };
   return {
@@ -41,6 +41,17 @@ export function withoutSi(inputs: Inputs): Inputs {
   };
 }
 
+/** A body beside the ball of a bearing whose E(0) has this ratio to that of the ball: with a quality the modulus in SI is
+ *  the one at 10 kHz. */
+function ofModulus(choice: Choice, body: Body, ratio: number): Body {
+  let its = body;
+  const rounds = 5; // each takes away most of what is wrong
+  for (let round = 0; round < rounds && body.quality !== 0; ++round) {
+    its = { ...its, young: its.young * ratio / unitsOf(encounterOf(choice, ball, its)).second!.young };
+  }
+  return { ...its, young: rounded(its.young, 6) };
+}
+
 /** Such bodies in SI: the first becomes the ball of a bearing, and a second one keeps its ratios to the first. */
 export function withSi(inputs: Inputs): Inputs {
   const { first: _, second, ...choice } = meetingOf(inputs.encounter);
@@ -49,12 +60,12 @@ export function withSi(inputs: Inputs): Inputs {
   const { poisson, loss_time } = ball;
   const { time } = unitsOf(encounterOf({ ...si, against: 'wall' }, ball));
   const inSi = (body: Body): Body => ({
-    ...changed(body, (value, name) => value * ball[name]),
+    ...changed(body, (value, name) => (name === 'quality' ? value : value * ball[name])),
     ...(body.young === 1 && body.density === 1 ? { poisson, loss_time }
       : { poisson: Math.min(body.poisson, poisson), loss_time: rounded(body.loss_time * time, 6) }),
   });
   const [spin, second_spin] = [inputs.spin, inputs.second_spin].map((each) => rounded(each / time, 6)) as [number, number];
-  return { ...inputs, encounter: encounterOf(si, ball, second && inSi(second.body)), speed: siSpeed, spin, second_spin };
+  return { ...inputs, encounter: encounterOf(si, ball, second && ofModulus(si, inSi(second.body), second.body.young)), speed: siSpeed, spin, second_spin };
 }
 
 /** In c of the first body. */

@@ -18,7 +18,7 @@ const sphere = like(disk, { kind: 'sphere', first: ratios({ poisson: 0.3 }) });
 const rod = like(disk, { kind: 'rod' });
 const ball = made('bearing steel', 0.005);
 const own: Body =
-  { poisson: 0.25, young: 1.5e11, density: 5000, radius: 0.004, length: 0.004, area: 2e-4, thickness: 0.03, loss_time: 1e-9 };
+  { poisson: 0.25, young: 1.5e11, density: 5000, radius: 0.004, length: 0.004, area: 2e-4, thickness: 0.03, loss_time: 1e-9, quality: 0 };
 
 const of = (encounter: Encounter, speed: number, kept: Encounter[] = []): Inputs =>
   ({ ...defaults, encounter, speed, kept });
@@ -40,6 +40,8 @@ export const cases: readonly Inputs[] = [
   of(like(sphere, { against: 'plate', second: ratios({ poisson: 0.2, thickness: 2, young: 0.5 }) }), 0.1),
   of(like(disk, { si: true, first: made('structural steel', 0.01), plane: 'strain', against: 'plate', second: own }), 1),
   of(like(sphere, { si: true, first: ball, against: 'plate', second: { ...made('glass', 1), thickness: 0.01 } }), 1),
+  of(like(sphere, { first: ratios({ poisson: 0.3, quality: 30 }), against: 'half-space', second: ratios({ young: 0.5, loss_time: 0.02 }) }), 0.01),
+  of(like(sphere, { si: true, first: { ...ball, quality: 50 }, against: 'half-space', second: { ...own, loss_time: 0, quality: 12 } }), 1),
 ];
 
 /** Collisions with friction. */

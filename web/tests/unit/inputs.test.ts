@@ -97,6 +97,29 @@ describe('a number that is too long for its field', () => {
   });
 });
 
+describe('losses', () => {
+  const quality = (inputs: Inputs, value: string): Inputs => typed(inputs, 'quality', value).inputs;
+  it('take the place of each other, and 0 is none', () => {
+    const glass = cases[10]!;
+    const other = quality(glass, '40');
+    expect(other.encounter.first).toEqual({ kind: 'sphere', radius: 0.005, material: 'bearing steel', quality: 40 });
+    expect(typed(other, 'loss_time', '1e-8').inputs.encounter.first).toEqual(
+      { kind: 'sphere', radius: 0.005, material: 'bearing steel', loss_time: 1e-8 });
+    expect(quality(other, '0').encounter.first).toHaveProperty('loss_time', 0);
+    expect(quality(defaults, '0').encounter).toEqual(defaults.encounter);
+  });
+  it('are refused as the core refuses them', () => {
+    expect(problem(defaults, 'quality', '3')).toBe('');
+    expect(problem(defaults, 'quality', '2')).toMatch(/^Quality: got 2, /);
+  });
+  it('stay when something else changes', () => {
+    const { encounter } = cases[17]!;
+    expect(withValue(encounter, 'radius', 0.01).first).toHaveProperty('quality', 50);
+    expect(withValue(encounter, 'density2', 4000).against).toHaveProperty('quality', 12);
+    expect(meetingOf(withoutSi(cases[17]!).encounter).first.body.quality).toBe(50);
+  });
+});
+
 describe('a change of units', () => {
   it('begins in SI with a known material of a known strength, at a round speed at which it does not yield', () => {
     const si = withSi(defaults);
@@ -141,7 +164,7 @@ describe('friction', () => {
   const fields = (inputs: Inputs): Field[] => fieldsOf(inputs).slice(-5);
   it('brings what is along the surface, and rods have none', () => {
     expect(fieldsOf(defaults).slice(-2)).toEqual(['speed', 'friction']);
-    expect(fields({ ...defaults, friction: 0.3 })).toEqual(['loss_time', 'speed', 'friction', 'angle', 'spin']);
+    expect(fields({ ...defaults, friction: 0.3 })).toEqual(['quality', 'speed', 'friction', 'angle', 'spin']);
     const pair = { ...defaults, encounter: withAgainst(defaults.encounter, 'same'), friction: 0.3, second_spin: 1 };
     expect(fields(pair)).toEqual(['speed', 'friction', 'angle', 'spin', 'second_spin']);
     expect(motionOf(pair).second_spin).toBe(1);

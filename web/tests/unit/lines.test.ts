@@ -46,6 +46,20 @@ describe('the Python lines', () => {
   });
 });
 
+describe('a quality', () => {
+  it('is in the lines, and the loss time is not', () => {
+    expect(lines[16]).toBe('stoss restitution --body sphere --poisson 0.3 --quality 30 ' +
+      '--against half-space,poisson=0.33,young=0.5,density=1,loss_time=0.02 --speed 0.01');
+    expect(lines[17]).toBe("stoss restitution --body sphere --material 'bearing steel' --radius 0.005 --quality 50 " +
+      '--against half-space,poisson=0.25,young=1.5e11,density=5000,quality=12 --speed 1');
+    expect(pythonLines(cases[17]!)).toContain(
+      'sphere = stoss.Sphere(radius=0.005, quality=50, material=stoss.materials["bearing steel"])');
+  });
+  it('is said in a few words', () => {
+    expect(description(cases[16]!.encounter)).toBe('sphere ν 0.3 Q 30 at half-space ν 0.33 E 0.5 η 0.02');
+  });
+});
+
 describe('plates', () => {
   const { encounter, speed } = cases[15]!;
   it('are blocks with a thickness in Python', () => {
