@@ -30,19 +30,34 @@ struct Relaxation {
   bool operator==(const Relaxation&) const = default;
 };
 
+/// How a material loses energy: by one of both, or not at all.
+struct MaterialLoss {
+  double loss_time = 0.0;   ///< η: stress = (1 + η ∂/∂t) elastic stress, in the unit of time of what has it
+  Relaxation relaxation{};  ///< times in that unit
+
+  bool operator==(const MaterialLoss&) const = default;
+};
+
 /// Terms that a material may have.
 inline constexpr std::size_t most_relaxation_terms = 20;
 
 /// Checks shares above 0 with a sum of at most 1, and finite times above 0. @throws InvalidInput
 void validate(const Relaxation& relaxation);
 
+/// Checks a relaxation or a loss time, finite and of 0 or more, but not both. @throws InvalidInput
+void validate(const MaterialLoss& loss);
+
 /// M(s); at s = iω its real part is E′/E(0), its imaginary part E″/E(0). @param s in 1/(unit of time)
 [[nodiscard]] std::complex<double> modulus(const Relaxation& relaxation, std::complex<double> s);
+
+/// 1 + ηs or M(s).
+[[nodiscard]] std::complex<double> modulus(const MaterialLoss& loss, std::complex<double> s);
 
 /// E(t)/E(0), the stress under a constant strain.
 [[nodiscard]] double modulus_after(const Relaxation& relaxation, double time);
 
 /// The same in another unit of time, in which all times are `factor` times as large.
 [[nodiscard]] Relaxation in_time(const Relaxation& relaxation, double factor);
+[[nodiscard]] MaterialLoss in_time(const MaterialLoss& loss, double factor);
 
 }  // namespace stoss

@@ -37,6 +37,7 @@ void validate(const Body& body) {
   require(body, body.highest_cutoff >= body.cutoff, "a cutoff up to its highest");
   require(body, std::isfinite(body.loss_time) && body.loss_time >= 0.0, "a loss_time of 0 or more");
   require(body, body.loss_time == 0.0 || body.relaxation.terms.empty(), "a loss_time or a relaxation, not both");
+  for (const MaterialLoss& layer : body.layers) validate(layer);
   require(body, body.stable_step > 0.0, "a positive stable_step");
   const auto& [points, cutoff, power, along_edge, fewest] = body.sampling;
   require(body, positive(points) && positive(cutoff) && finite({power, along_edge}) && along_edge >= 0.0 && fewest > 0,
@@ -49,6 +50,8 @@ void validate(const Body& body) {
             "omega, upper and lower of one length in each group");
     require(body, group.index.empty() || group.index.size() == group.omega.size(), "as many indices as modes, or none");
     require(body, finite(group.upper) && finite(group.lower), "finite weights");
+    require(body, group.moduli.size() == group.omega.size() * body.layers.size(), "moduli of each mode in each layer");
+    require(body, std::all_of(group.moduli.begin(), group.moduli.end(), not_negative), "finite moduli of 0 or more");
     require(body,
             std::all_of(group.omega.begin(), group.omega.end(),
                         [highest](double omega) { return omega > 0.0 && omega <= highest; }),
@@ -66,7 +69,22 @@ double kept_cutoff(double cutoff, double loss_time) {
   return loss_time * cutoff > 1.0 ? std::sqrt(cutoff / loss_time) : cutoff;
 }
 
-double kept_cutoff(const Body& body) { return kept_cutoff(body.cutoff, body.loss_time); }
+double kept_cutoff(const Body& body) { return kept_cutoff(body.cutoff, longest_loss_time(body)); }
+
+bool loses(const Body& body) {
+  const auto its = [](double loss_time, const Relaxation& relaxation) {
+    return loss_time > 0.0 || !relaxation.terms.empty();
+  };
+  return its(body.loss_time, body.relaxation) ||
+         std::any_of(body.layers.begin(), body.layers.end(),
+                     [&](const MaterialLoss& layer) { return its(layer.loss_time, layer.relaxation); });
+}
+
+double longest_loss_time(const Body& body) {
+  double longest = body.loss_time;
+  for (const MaterialLoss& layer : body.layers) longest = std::max(longest, layer.loss_time);
+  return longest;
+}
 
 std::size_t mode_count(const Body& body) {
   std::size_t count = 0;
@@ -91,6 +109,7 @@ Body rigid(const Body& body) {
   result.name = "rigid " + body.name;
   result.softness = result.loss_time = 0.0;
   result.relaxation = {};
+  result.layers.clear();
   result.highest_cutoff = result.stable_step = std::numeric_limits<double>::infinity();
   result.groups.clear();
   result.near_side = nullptr;
@@ -159,6 +178,8 @@ Body with_modes(const Body& body, const std::vector<bool>& keep) {
       to.upper.push_back(from.upper[l]);
       to.lower.push_back(from.lower[l]);
       to.index.push_back(from.index.empty() ? static_cast<int>(l) : from.index[l]);
+      const auto moduli = from.moduli.begin() + static_cast<std::ptrdiff_t>(l * body.layers.size());
+      to.moduli.insert(to.moduli.end(), moduli, moduli + static_cast<std::ptrdiff_t>(body.layers.size()));
     }
     if (!to.omega.empty()) result.groups.push_back(std::move(to));
   }

@@ -31,6 +31,10 @@ Body relaxing(const Body& body, const Relaxation& relaxation) {
   if (body.loss_time > 0.0) {
     throw InvalidInput::conflict("relaxation", "'" + body.name + "' has a loss_time too", "give one of both");
   }
+  if (!body.layers.empty()) {
+    throw InvalidInput::conflict("relaxation", "the layers of '" + body.name + "' have losses of their own",
+                                 "give one of both");
+  }
   if (body.softness == 0.0) {
     throw InvalidInput::conflict("relaxation", "'" + body.name + "' is rigid, and relaxes nothing", "leave it out");
   }

@@ -168,14 +168,13 @@ Relaxation relaxation(const Contact& contact, std::size_t group) {
 }
 
 bool loses(const Contact& contact) {
-  const auto its = [](const Body& body) { return body.loss_time > 0.0 || !body.relaxation.terms.empty(); };
-  return its(*contact.first) || (contact.second != nullptr && its(*contact.second));
+  return loses(*contact.first) || (contact.second != nullptr && loses(*contact.second));
 }
 
 double longest_loss_time(const Contact& contact) {
-  const double first = contact.first->loss_time;
+  const double first = longest_loss_time(*contact.first);
   if (contact.second == nullptr) return first;
-  return std::max(first, contact.second->loss_time * units_of(contact, 1).time);
+  return std::max(first, longest_loss_time(*contact.second) * units_of(contact, 1).time);
 }
 
 double highest_wave_number(const Contact& contact) {

@@ -1,13 +1,14 @@
 // How a mode swings by itself in the material of its body.
-#include "relaxation/oscillator.hpp"
+#include "contact/group_loss.hpp"
 #include "stoss/contact/contact.hpp"
 
 namespace stoss {
 
-FreeMode free_mode(const Contact& contact, std::size_t group, double omega) {
-  const Relaxation its = relaxation(contact, group);
-  if (its.terms.empty()) return {0.5 * loss_time(contact, group) * omega * omega, omega};
-  const LossyOscillator mode = relaxing_oscillator(omega, Rates(its));
+FreeMode free_mode(const Contact& contact, std::size_t group, std::size_t index) {
+  const double omega = contact.groups[group].omega[index];
+  const GroupLoss loss(contact, group);
+  if (!loss.relaxes()) return {0.5 * loss.loss_time() * omega * omega, omega};
+  const LossyOscillator mode = relaxing_oscillator(omega, loss.rates(index));
   return {mode.gamma, mode.frequency};
 }
 

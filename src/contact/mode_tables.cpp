@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/group_loss.hpp"
 #include "numeric/damped_oscillator.hpp"
 #include "numeric/kernels.hpp"
 
@@ -79,15 +80,18 @@ void ModeTables::place_rows(const Contact& contact) {
 }
 
 /// Each block has as many decays for every mode as that of its groups with the most terms; beside a body that relaxes
-/// one with a loss time has one that nothing moves, so that it is counted alike in every block.
+/// or has layers one with a loss time has one that nothing moves, so that it is counted alike in every block.
 void ModeTables::place_decays(const Contact& contact) {
   std::size_t all = 0;
-  const bool relaxes = !lossy.rates[0].rate.empty() || !lossy.rates[1].rate.empty();
+  const bool layers = of_layers_[0] || of_layers_[1];
+  const bool relaxes = layers || !lossy.rates[0].rate.empty() || !lossy.rates[1].rate.empty();
   for (std::size_t block = 0; block < blocks(); ++block) {
     std::size_t count = 0;
     for (std::size_t g = block * lanes; g < std::min((block + 1) * lanes, contact.groups.size()); ++g) {
-      if (const Rates* rates = rates_of(g)) count = std::max(count, rates->rate.size());
-      if (relaxes && loss_time(contact, g) > 0.0) count = std::max<std::size_t>(count, 1);
+      const GroupLoss loss(contact, g);
+      count = std::max(count, loss.terms());
+      const bool lossy_otherwise = loss.is_of_layers() || loss.loss_time() > 0.0;
+      if (relaxes && lossy_otherwise) count = std::max<std::size_t>(count, 1);
     }
     lossy.decay_begin.push_back(all);
     lossy.decay_count.push_back(count);
@@ -99,6 +103,8 @@ void ModeTables::place_decays(const Contact& contact) {
 void ModeTables::lose(const Contact& contact, Kicks kicks) {
   const std::size_t all = begin.back();
   lossy.rates = {Rates(contact.first->relaxation), Rates(of_second(contact))};
+  of_layers_ = {!contact.first->layers.empty(), contact.second != nullptr && !contact.second->layers.empty()};
+  if (of_layers_[0] || of_layers_[1]) lossy.of_layers.resize(all);
   lossy.velocity_cosine = cosine;
   lossy.mode.resize(all);
   lossy.place.resize(all);
@@ -109,17 +115,28 @@ void ModeTables::lose(const Contact& contact, Kicks kicks) {
   lossy.work_due.resize(size.size());
   place_decays(contact);
   for (std::size_t g = 0; g < size.size(); ++g) {
-    const double loss = loss_time(contact, g);
-    const Rates* const rates = rates_of(g);
+    const GroupLoss loss(contact, g);
     for (std::size_t l = 0; l < size[g]; ++l) {
       const std::size_t k = position(g, l);
       LossyOscillator& mode = lossy.mode[k];
-      mode = rates != nullptr ? relaxing_oscillator(omega[k], *rates) : kelvin_voigt_oscillator(omega[k], loss);
+      FreeMode dashpot = loss.dashpot(l, step);
+      double slower = 1.0;
       if (kicks == Kicks::weaker) {
-        const numeric::StableKicks stable = numeric::stable_kicks(omega[k], rates != nullptr ? 0.0 : mode.gamma, step);
-        if (rates == nullptr) mode.gamma = stable.gamma;
+        const numeric::StableKicks stable = numeric::stable_kicks(dashpot.frequency, dashpot.gamma, step);
+        if (dashpot.gamma > 0.0) slower = stable.gamma / dashpot.gamma;
+        dashpot.gamma = stable.gamma;
         upper[k] *= std::sqrt(stable.strength);
         lower[k] *= std::sqrt(stable.strength);
+      }
+      if (loss.is_of_layers()) {
+        lossy.of_layers[k] = loss.rates(l);
+        lossy.of_layers[k].viscous *= slower;
+      }
+      if (const Rates* rates = rates_of(g, l)) {
+        mode = relaxing_oscillator(omega[k], *rates);
+      } else {
+        mode = kelvin_voigt_oscillator(omega[k], loss.loss_time());
+        mode.gamma = dashpot.gamma;
       }
       const auto [kept, coupling, velocity] = numeric::damped_motion(mode.frequency, mode.gamma, step);
       cosine[k] = kept;
@@ -148,9 +165,10 @@ std::size_t ModeTables::decay(std::size_t group, std::size_t index, std::size_t 
   return lossy.decay_begin[block] + (index * lossy.decay_count[block] + number) * lanes + group % lanes;
 }
 
-const Rates* ModeTables::rates_of(std::size_t group) const {
-  const Rates& rates = lossy.rates[group < first_groups_ ? 0 : 1];
-  return rates.rate.empty() ? nullptr : &rates;
+const Rates* ModeTables::rates_of(std::size_t group, std::size_t index) const {
+  const std::size_t body = group < first_groups_ ? 0 : 1;
+  if (of_layers_[body]) return &lossy.of_layers[position(group, index)];
+  return lossy.rates[body].rate.empty() ? nullptr : &lossy.rates[body];
 }
 
 std::size_t ModeTables::position(std::size_t group, std::size_t index) const {

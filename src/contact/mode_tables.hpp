@@ -40,7 +40,8 @@ struct ModeTables {
   /// the blocks with a body that relaxes, kernels::advance_relaxing.
   struct Lossy {
     std::vector<LossyOscillator> mode;
-    std::array<Rates, 2> rates{};  // of both bodies, without terms where it does not relax
+    std::array<Rates, 2> rates{};  // of both bodies, without terms where it does not relax or has layers
+    std::vector<Rates> of_layers;  // of each mode of a contact with a body of layers
     std::vector<double> velocity_cosine, due, rate;
     std::vector<double> place, jump, speed;
     std::vector<double> residue, kept, decay_rate;
@@ -58,8 +59,8 @@ struct ModeTables {
   /// Place of a decay in their arrays.
   [[nodiscard]] std::size_t decay(std::size_t group, std::size_t index, std::size_t number) const;
 
-  /// The rates of the body that a group belongs to, if it relaxes; else null.
-  [[nodiscard]] const Rates* rates_of(std::size_t group) const;
+  /// The rates of a mode in a body that relaxes; else null.
+  [[nodiscard]] const Rates* rates_of(std::size_t group, std::size_t index) const;
 
   std::vector<double> amplitude_of;  // of each group: Q of its body over that of the contact, √(mass/modal mass)
   struct Rows {
@@ -81,6 +82,7 @@ struct ModeTables {
   void place_decays(const Contact& contact);
 
   std::size_t first_groups_;
+  std::array<bool, 2> of_layers_{};  // each body
 };
 
 }  // namespace stoss

@@ -65,6 +65,7 @@ auto with_given_loss_time(const Participant& of, const Compute& compute) {
   } catch (const InvalidInput& error) {
     const double given = loss_time_of(of);
     if (error.name() != "loss_time" || error.got().empty() || !(given > 0.0) || std::isinf(given)) throw;
+    if (layers_differ(of)) throw;
     const double most = 1e5 * given / std::stod(error.got());
     if (!of.material_name.empty() && !of.values.contains("loss_time")) {
       throw InvalidInput::out_of_range("material", of.material_name + ", whose loss time is " + rounded(given) + " s",
@@ -167,7 +168,7 @@ std::optional<Scales> si_scales(const Encounter& encounter) {
   const Values all = first_values(encounter);
   if (first.kind == "disk") {
     Material its = *first.material;
-    its.young *= stiffening(first, all.at("radius"));
+    its.young *= stiffening(first, all.at("radius")).front();
     return scales(its, first.plane, all.at("radius"));
   }
   if (first.modal) return scales(*first.modal);
@@ -197,6 +198,17 @@ Solid first_solid(const Encounter& encounter) {
   return its.solid(own_units(encounter, its, first_values(encounter)));
 }
 
+namespace {
+
+/// Of layers that differ, each its own.
+void set_losses(const Encounter& encounter, Solid& plate) {
+  auto& its = std::get<Plate>(plate);
+  its.losses = layer_losses(encounter, encounter.against, plate);
+  its.loss_time = 0.0;
+}
+
+}  // namespace
+
 std::optional<Solid> second_solid(const Encounter& encounter) {
   if (encounter.against.kind == "same") return first_solid(encounter);
   if (!has_second_values(encounter)) return std::nullopt;
@@ -212,6 +224,7 @@ std::optional<Solid> second_solid(const Encounter& encounter) {
     for (Values& layer : values_below(encounter.against, its, radius)) {
       against.add_layer(made, own_units(encounter, against, std::move(layer)));
     }
+    if (layers_differ(encounter.against)) set_losses(encounter, made);
     return std::optional(std::move(made));
   });
 }

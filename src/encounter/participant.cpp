@@ -148,13 +148,14 @@ Values all_values(const Participant& of, std::optional<double> poisson, double r
   if (kind.from_file) return values_of_file(of);
   require_layers(of, kind);
   Values all = values_at_frequency(of, poisson, radius);
-  if (const auto young = all.find("young"); young != all.end()) young->second *= stiffening(of, radius);
+  if (const auto young = all.find("young"); young != all.end()) young->second *= stiffening(of, radius).front();
   return all;
 }
 
 std::vector<Values> values_below(const Participant& of, std::optional<double> poisson, double radius) {
   std::vector<Values> all;
-  const double stiffer = of.below.empty() ? 1.0 : stiffening(of, radius);
+  if (of.below.empty()) return all;
+  const std::vector<double> stiffer = stiffening(of, radius);
   for (const Participant& each : of.below) {
     Participant layer{.kind = of.kind, .values = each.values, .material = each.material, .plane = of.plane};
     const bool last = &each == &of.below.back();
@@ -164,7 +165,7 @@ std::vector<Values> values_below(const Participant& of, std::optional<double> po
         throw InvalidInput::missing("thickness", "", "only the last layer may have none: it has no end");
       }
       all.push_back(values_at_frequency(layer, poisson, radius));
-      all.back().at("young") *= stiffer;
+      all.back().at("young") *= stiffer[all.size()];
     } catch (const InvalidInput& error) {
       throw error.within("layer " + std::to_string(all.size() + 2));
     }

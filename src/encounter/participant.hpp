@@ -24,19 +24,24 @@ auto with_prefix_against(Make make) {
 /// A number that was given, or what holds without it.
 [[nodiscard]] double given_or(const Participant& of, std::string_view name, double otherwise);
 
-/// η, that of the material where none is given; 0 of a rigid body.
-/// @throws InvalidInput where none is given and layers differ
+/// η, that of the material where none is given, of a plate of its uppermost layer; 0 of a rigid body.
 [[nodiscard]] double loss_time_of(const Participant& of);
 
 /// The material of the list that a body has by its name; null for numbers of its own.
 [[nodiscard]] const NamedMaterial* named_of(const Participant& of);
 
-/// E(0) of a body over its modulus, which of a material with a quality is that at its frequency; 1 of others.
+/// E(0) of a body, and of its layers below, over its modulus, which of a material with a quality is that at its
+/// frequency; 1 of others.
 /// @param size of the first body, for the band of what has none
-[[nodiscard]] double stiffening(const Participant& of, double size);
+[[nodiscard]] std::vector<double> stiffening(const Participant& of, double size);
 
-/// How its material relaxes, with times in the unit of time of the numbers of its solid.
+/// How its material relaxes, with times in the unit of time of the numbers of its solid; of layers that differ not at
+/// all, as they are in the solid.
 [[nodiscard]] Relaxation relaxation_of(const Encounter& encounter, const Participant& of, const Solid& solid);
+
+/// The losses of the layers of a plate that differ, in the unit of time of its numbers; else none.
+[[nodiscard]] std::vector<MaterialLoss> layer_losses(const Encounter& encounter, const Participant& of,
+                                                     const Solid& plate);
 
 /// Q of a named material, the same at all frequencies; 0 where the body loses energy in a way of its own or none is
 /// known.

@@ -77,7 +77,7 @@ double KeptModes::energy_of_lossy(std::size_t group, std::size_t index) const {
   for (std::size_t j = 0; j < decaying.size(); ++j) decaying[j] = decays_[tables_->decay(group, index, j)];
   // b counts omega times in velocities, as a in displacements.
   return tables_->mass / omega *
-         mode.energy(tables_->rates_of(group), a_[k], mode.frequency * b_[k], decaying, omega * kick(group, k));
+         mode.energy(tables_->rates_of(group, index), a_[k], mode.frequency * b_[k], decaying, omega * kick(group, k));
 }
 
 double KeptModes::dissipated(std::size_t begin, std::size_t end) const {

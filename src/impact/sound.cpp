@@ -54,7 +54,7 @@ std::vector<double> sound(const Contact& contact, const Impact& impact, const So
       if (poll) poll();
       const ModeGroup& own = body.groups[g - first];
       const double displacement = own.upper[l] * shape[own.upper_row] + own.lower[l] * shape[own.lower_row];
-      const double decay = options.quality ? 0.5 * omega / *options.quality : free_mode(contact, g, omega).gamma;
+      const double decay = options.quality ? 0.5 * omega / *options.quality : free_mode(contact, g, l).gamma;
       const std::complex<double> amplitude(last.momentum[k] / mass, omega * last.coordinate[k]);
       add_partial(displacement * amplitude, omega, decay, options.interval, sum);
     }

@@ -59,8 +59,7 @@ State free_motion(const Contact& contact, const State& state, double time) {
     const bool lossy = loses(contact);
     for (std::size_t l = 0; l < contact.groups[g].omega.size(); ++l, ++k) {
       if (lossy && state.coordinate[k] == 0.0 && state.momentum[k] == 0.0) continue;  // however far back
-      const double omega = contact.groups[g].omega[l];
-      const FreeMode mode = free_mode(contact, g, omega);
+      const FreeMode mode = free_mode(contact, g, l);
       const auto [kept, coupling, slowed] = numeric::damped_motion(mode.frequency, mode.gamma, time);
       const double inertia = mass * mode.frequency;
       moved.coordinate[k] = state.coordinate[k] * kept + state.momentum[k] * coupling / inertia;

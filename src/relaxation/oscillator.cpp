@@ -63,6 +63,7 @@ LossyOscillator kelvin_voigt_oscillator(double omega, double loss_time) {
 LossyOscillator relaxing_oscillator(double omega, const Rates& rates) {
   LossyOscillator mode;
   mode.omega = omega;
+  mode.gamma = 0.5 * omega * omega * rates.viscous;
   double squared = omega * omega * rates.relaxed;
   for (std::size_t j = 0; const RealZero& zero : real_zeros(rates, 1.0 / (omega * omega))) {
     mode.rate.push_back(zero.rate);

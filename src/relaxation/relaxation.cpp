@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "check.hpp"
@@ -34,6 +35,18 @@ void validate(const Relaxation& relaxation) {
   }
 }
 
+void validate(const MaterialLoss& loss) {
+  validate(loss.relaxation);
+  require("loss_time", loss.loss_time, {0.0, std::numeric_limits<double>::max(), true, true, "finite, 0 or more"}, "eta");
+  if (loss.loss_time > 0.0 && !loss.relaxation.terms.empty()) {
+    throw InvalidInput::conflict("relaxation", "the material has a loss_time too", "give one of both");
+  }
+}
+
+std::complex<double> modulus(const MaterialLoss& loss, std::complex<double> s) {
+  return modulus(loss.relaxation, s) + loss.loss_time * s;
+}
+
 std::complex<double> modulus(const Relaxation& relaxation, std::complex<double> s) {
   std::complex<double> sum = relaxation.relaxed();
   for (const RelaxationTerm& term : relaxation.terms) sum += term.share * (s * term.time) / (1.0 + s * term.time);
@@ -50,6 +63,10 @@ Relaxation in_time(const Relaxation& relaxation, double factor) {
   Relaxation same = relaxation;
   for (RelaxationTerm& term : same.terms) term.time *= factor;
   return same;
+}
+
+MaterialLoss in_time(const MaterialLoss& loss, double factor) {
+  return {loss.loss_time * factor, in_time(loss.relaxation, factor)};
 }
 
 }  // namespace stoss

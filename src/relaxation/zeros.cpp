@@ -8,21 +8,55 @@
 
 namespace stoss {
 
-Rates::Rates(const Relaxation& relaxation) : relaxed(std::max(relaxation.relaxed(), 1e-12)) {
-  constexpr double same = 1e-9;  // closer rates differ by less than their square
+namespace {
+
+constexpr double least_relaxed = 1e-12;
+
+/// Closer rates differ by less than their square.
+void add_term(double rate, double share, Rates& rates) {
+  constexpr double same = 1e-9;
+  if (rates.rate.empty() || rate > (1.0 + same) * rates.rate.back()) {
+    rates.rate.push_back(rate);
+    rates.share.push_back(share);
+    return;
+  }
+  const double sum = rates.share.back() + share;
+  rates.rate.back() += share / sum * (rate - rates.rate.back());
+  rates.share.back() = sum;
+}
+
+}  // namespace
+
+Rates::Rates(const Relaxation& relaxation) : relaxed(std::max(relaxation.relaxed(), least_relaxed)) {
   std::vector<std::pair<double, double>> sorted;
   for (const RelaxationTerm& term : relaxation.terms) sorted.emplace_back(1.0 / term.time, term.share);
   std::sort(sorted.begin(), sorted.end());
-  for (const auto& [its_rate, its_share] : sorted) {
-    if (!rate.empty() && its_rate <= (1.0 + same) * rate.back()) {
-      const double sum = share.back() + its_share;
-      rate.back() += its_share / sum * (its_rate - rate.back());
-      share.back() = sum;
-    } else {
-      rate.push_back(its_rate);
-      share.push_back(its_share);
-    }
+  for (const auto& [its_rate, its_share] : sorted) add_term(its_rate, its_share, *this);
+}
+
+MixedRates::MixedRates(const std::vector<MaterialLoss>& layers, double unit) {
+  for (std::size_t l = 0; l < layers.size(); ++l) {
+    const Rates own(in_time(layers[l].relaxation, unit));
+    for (std::size_t j = 0; j < own.rate.size(); ++j) terms_.push_back({own.rate[j], l, own.share[j]});
+    relaxed_.push_back(own.relaxed);
+    viscous_.push_back(layers[l].loss_time * unit);
   }
+  std::sort(terms_.begin(), terms_.end(), [](const Term& a, const Term& b) { return a.rate < b.rate; });
+}
+
+Rates MixedRates::of(const double* weight) const {
+  constexpr double negligible = 1e-14;  // beside what is left of all moduli
+  Rates mixed;
+  mixed.relaxed = 0.0;
+  for (std::size_t l = 0; l < relaxed_.size(); ++l) {
+    mixed.relaxed += weight[l] * relaxed_[l];
+    mixed.viscous += weight[l] * viscous_[l];
+  }
+  for (const auto& [rate, layer, share] : terms_) {
+    const double its = weight[layer] * share;
+    if (its > negligible * mixed.relaxed) add_term(rate, its, mixed);
+  }
+  return mixed;
 }
 
 namespace {
@@ -48,7 +82,7 @@ class Interval {
 
   /// M(s) + s² inertia at s = −rate times both distances (of the first interval, that from the pole): it has no poles.
   [[nodiscard]] double value(const Place& at) const {
-    double rest = inertia_ * at.rate * at.rate + rates_.relaxed;
+    double rest = (inertia_ * at.rate - rates_.viscous) * at.rate + rates_.relaxed;
     for (std::size_t i = 0; i < rates_.rate.size(); ++i) {
       if (i != upper_ && i + 1 != upper_) rest -= at.rate * rates_.share[i] / difference(i, at);
     }
@@ -57,7 +91,7 @@ class Interval {
   }
 
   [[nodiscard]] double slope(const Place& at) const {
-    double sum = 0.0;
+    double sum = rates_.viscous;
     for (std::size_t i = 0; i < rates_.rate.size(); ++i) {
       const double apart = difference(i, at);
       sum += rates_.share[i] * rates_.rate[i] / (apart * apart);
@@ -109,7 +143,7 @@ std::vector<RealZero> real_zeros(const Rates& rates, double inertia) {
 }
 
 double modulus_slope(const Rates& rates, double rate) {
-  double sum = 0.0;
+  double sum = rates.viscous;
   for (std::size_t i = 0; i < rates.rate.size(); ++i) {
     const double apart = rates.rate[i] - rate;
     sum += rates.share[i] * rates.rate[i] / (apart * apart);

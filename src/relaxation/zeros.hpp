@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "stoss/relaxation.hpp"
@@ -20,6 +21,29 @@ struct Rates {
 
   double relaxed = 1.0;  ///< E∞/E(0), above 0: what flows without end does so in 10¹² times its longest τ_j
   std::vector<double> rate, share;
+  double viscous = 0.0;  ///< η/E(0) of a dashpot beside them: M + ηs
+};
+
+/// Layers that lose energy in different ways, as the rates of a mode that they share.
+class MixedRates {
+ public:
+  /// @param unit of time of the losses, in that of the rates
+  MixedRates(const std::vector<MaterialLoss>& layers, double unit);
+
+  /// Rates of Σ weight_l (M_l + η_l s), whose moduli need not add up to 1. @param weight of each layer
+  [[nodiscard]] Rates of(const double* weight) const;
+
+  /// The most rates that a mode has.
+  [[nodiscard]] std::size_t terms() const { return terms_.size(); }
+
+ private:
+  struct Term {
+    double rate;
+    std::size_t layer;
+    double share;
+  };
+  std::vector<Term> terms_;                // in rising order of the rates
+  std::vector<double> relaxed_, viscous_;  // of each layer
 };
 
 /// One real zero of M(s) + s² inertia in each interval between 0 and the poles −κ_j of M: there it falls from its

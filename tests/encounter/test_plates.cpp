@@ -138,9 +138,35 @@ TEST(Plates, AreRefusedMaterialsThatDoNotGoTogether) {
             "against: needs a material too, because the first body has one (e.g. plate,material=glass)");
   EXPECT_EQ(layers(R"({"thickness":1,"material":"glass"},{"thickness":1,"material":"tin"})").substr(0, 20),
             "material: got 'tin',");
-  const std::string lossy = layers(R"({"thickness":1,"material":"glass"},{"material":"PVB"})");
-  EXPECT_EQ(lossy.substr(0, 36), "against loss_time: the layers' mater");
-  EXPECT_NE(lossy.find("but one holds for the whole plate (give it; 0: no loss)"), std::string::npos) << lossy;
+  EXPECT_EQ(layers(R"({"thickness":1,"material":"glass"},{"material":{"young":1e9,"poisson":0.3,"density":1e3,)"
+                   R"("relaxation":[[0.5,-1]]}})")
+                .substr(0, 38),
+            "against layer 2 relaxation: got -1, al");
+}
+
+TEST(Plates, HaveTheLossesOfTheirLayers) {
+  const auto losses = [](const std::string& of_all) {
+    const Encounter made = encounter_from_json(
+        steel_ball + R"({"kind":"plate",)" + of_all +
+        R"("layers":[{"thickness":1,"material":"glass"},{"thickness":0.1,"material":{"young":1e9,"poisson":0.3,)" +
+        R"("density":1e3,"relaxation":[[0.5,1e-5]]}},{"material":{"young":1e9,"poisson":0.3,"density":1e3,)" +
+        R"("quality":30}}]}})");
+    return std::pair(std::get<Plate>(*second_solid(made)), made);
+  };
+  const auto [plate, made] = losses("");
+  ASSERT_EQ(plate.losses.size(), 3);
+  EXPECT_EQ(plate.loss_time, 0.0);
+  const double unit = si_scales(made)->time;
+  EXPECT_NEAR(plate.losses[0].loss_time * unit / named_material("glass").loss_time.value(), 1.0, 1e-12);
+  ASSERT_EQ(plate.losses[1].relaxation.terms.size(), 1);
+  EXPECT_NEAR(plate.losses[1].relaxation.terms[0].time * unit, 1e-5, 1e-15);
+  EXPECT_GT(plate.losses[2].relaxation.terms.size(), 4);
+  // E of a quality is that at a frequency, E(0) is more.
+  EXPECT_NEAR(plate.below[0].young / plate.young, 1.0 / 70.0, 1e-12);
+  EXPECT_GT(plate.below[1].young / plate.below[0].young, 1.03);
+  EXPECT_LT(plate.below[1].young / plate.below[0].young, 1.3);
+  EXPECT_TRUE(losses(R"("loss_time":0,)").first.losses.empty());
+  EXPECT_TRUE(losses(R"("relaxation":[[0.1,1]],)").first.losses.empty());
 }
 
 TEST(Plates, OfValuesInCppAreRefusedToo) {

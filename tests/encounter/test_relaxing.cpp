@@ -7,6 +7,7 @@
 #include <complex>
 #include <string>
 
+#include "stoss/bodies/plate.hpp"
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/laws.hpp"
 #include "stoss/impact/impact.hpp"
@@ -130,7 +131,7 @@ TEST(RelaxingMaterial, HasNoLawsOfLossTimes) {
             "quality: the law of slow impacts knows no material that relaxes (give a loss_time)");
 }
 
-TEST(RelaxingLayers, HaveOneRelaxationForAll) {
+TEST(RelaxingLayers, HaveTheirOwnOrOneForAll) {
   const auto plate = [](const std::string& first, const std::string& second, const std::string& whole) {
     return R"({"kind":"plate",)" + whole + R"("layers":[{"thickness":0.01,"material":{"young":1e9,"poisson":0.3,)" +
            R"("density":1000)" + first +
@@ -138,13 +139,17 @@ TEST(RelaxingLayers, HaveOneRelaxationForAll) {
   };
   const std::string ball = R"({"kind":"sphere","radius":0.01,"material":"bearing steel","loss_time":0})";
   const std::string relaxation = R"(,"relaxation":[[0.5,1e-5]])";
-  EXPECT_EQ(refusal(ball, plate(relaxation, "", "")),
-            "against relaxation: the layers' materials have a relaxation of 0.5:1e-05 and a loss time of 0 s, but one "
-            "holds for the whole plate (give it, or a loss_time of 0: no loss)");
-  for (const std::string& taken :
-       {plate(relaxation, relaxation, ""), plate(relaxation, "", R"("relaxation":[[0.2,1e-5]],)")}) {
-    EXPECT_NO_THROW((void)encounter_from_json(R"({"first":)" + ball + R"(,"against":)" + taken + "}")) << taken;
-  }
+  const auto differ = [&](const std::string& taken) {
+    const Encounter made = encounter_from_json(R"({"first":)" + ball + R"(,"against":)" + taken + "}");
+    EXPECT_EQ(layers_differ(made.against), !std::get<Plate>(*second_solid(made)).losses.empty());
+    return layers_differ(made.against);
+  };
+  EXPECT_TRUE(differ(plate(relaxation, "", "")));
+  EXPECT_TRUE(differ(plate("", R"(,"quality":20)", "")));
+  EXPECT_FALSE(differ(plate(relaxation, relaxation, "")));
+  EXPECT_FALSE(differ(plate(relaxation, "", R"("relaxation":[[0.2,1e-5]],)")));
+  EXPECT_EQ(refusal(ball, plate(R"(,"loss_time":1e-6,"quality":20)", "", "")).substr(0, 43),
+            "against quality: got a quality beside a los");
 }
 
 }  // namespace

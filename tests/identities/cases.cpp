@@ -17,6 +17,7 @@ struct Named {
   std::string name;
   Solid solid;
   Relaxation relaxation{};
+  std::vector<MaterialLoss> layers{};
 };
 
 // Faster and slower than an impact.
@@ -87,6 +88,10 @@ const Named lossy_strip{"strip", lossy_half_plane.solid}, lossy_plate{"plate", l
 const Named relaxing_strip{"strip", half_plane_beside.solid, creeps};
 const Named relaxing_plate{"plate", half_space_beside.solid, creeps};
 
+// An elastic layer on one that relaxes, and one with a loss time; one that relaxes on top.
+const Named elastic_top{"elastic_top", half_space_beside.solid, {}, {{}, {0.0, creeps}, {0.05, {}}}};
+const Named relaxing_top{"relaxing_top", half_space_beside.solid, {}, {{0.0, relaxes}, {}, {0.0, creeps}}};
+
 double loss_time_of(const Solid& solid) {
   return std::visit([](const auto& body) { return body.loss_time; }, solid);
 }
@@ -106,7 +111,8 @@ void add(const Named& first, const Named* second, const Meeting& meeting, std::v
                std::to_string(std::lround(1000.0 * speed));
     its.first = first.solid;
     its.relaxation = first.relaxation;
-    if (second != nullptr) its.second = second->solid, its.second_relaxation = second->relaxation;
+    if (second != nullptr)
+      its.second = second->solid, its.second_relaxation = second->relaxation, its.layers = second->layers;
     its.half_space = half_space;
     its.thickness = of_plate;
     its.soft = meeting.soft;
@@ -166,6 +172,10 @@ std::vector<Case> make_cases() {
     if (const Named* solid = plate_for(body)) {
       for (const Meeting& meeting : between_bodies) add(body, solid, meeting, cases, true, thickness);
     }
+    for (const Named& plate : {elastic_top, relaxing_top}) {
+      if (body.name != "sphere_30") continue;
+      for (const Meeting& meeting : between_bodies) add(body, &plate, meeting, cases, true, thickness);
+    }
   }
   return cases;
 }
@@ -187,11 +197,19 @@ void resize_round(Solid& solid, double length, double modulus, double density) {
   resize(std::get<Disk>(solid));
 }
 
+Plate plate_of(const Case& its, const Sphere& like) {
+  Plate plate{its.thickness, like.poisson, like.young, like.density, like.loss_time};
+  if (its.layers.empty()) return plate;
+  plate.thickness /= static_cast<double>(its.layers.size());
+  plate.below.assign(its.layers.size() - 1, {plate.thickness, like.poisson, like.young, like.density});
+  for (const MaterialLoss& each : its.layers) plate.losses.push_back(in_time(each, size(like) / wave_speed(like)));
+  return plate;
+}
+
 /// A half-space, a half-plane, a plate or a strip.
 BodyMaker unbounded_of(const Case& its) {
   if (const auto* ball = std::get_if<Sphere>(&*its.second)) {
-    if (its.thickness > 0.0)
-      return plate(Plate{its.thickness, ball->poisson, ball->young, ball->density, ball->loss_time});
+    if (its.thickness > 0.0) return plate(plate_of(its, *ball));
     return half_space(HalfSpace{ball->poisson, ball->young, ball->density, ball->loss_time});
   }
   const Disk& round = std::get<Disk>(*its.second);
@@ -227,6 +245,7 @@ std::vector<Case> rubbing(std::vector<Case> cases) {
 }
 
 bool is_lossy(const Case& its) {
+  if (!its.layers.empty()) return true;
   if (!its.relaxation.terms.empty() || !its.second_relaxation.terms.empty()) return true;
   return loss_time_of(its.first) > 0.0 || (its.second && loss_time_of(*its.second) > 0.0);
 }

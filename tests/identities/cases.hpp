@@ -19,6 +19,7 @@ struct Case {
   Relaxation relaxation, second_relaxation;  ///< times in R/c of each body
   bool half_space = false;                   ///< of the material of `second`, whose size means nothing
   double thickness = 0.0;                    ///< of a plate or strip in its stead; 0: a half-space or half-plane
+  std::vector<MaterialLoss> layers;          ///< of as many equal layers of a plate, times in R/c of `second`
   bool soft = false;                         ///< an exponential wall
   Tail tail = Tail::radiating;               ///< at a hard wall and between two bodies
   double speed = 0.0;

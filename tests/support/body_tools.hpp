@@ -52,6 +52,12 @@ inline Body reversed(const Body& body) {
     std::reverse(group.omega.begin(), group.omega.end());
     std::reverse(group.upper.begin(), group.upper.end());
     std::reverse(group.lower.begin(), group.lower.end());
+    std::vector<double> moduli;
+    for (std::size_t l = group.omega.size(); l-- > 0;) {
+      const auto from = group.moduli.begin() + static_cast<std::ptrdiff_t>(l * body.layers.size());
+      moduli.insert(moduli.end(), from, from + static_cast<std::ptrdiff_t>(body.layers.size()));
+    }
+    group.moduli = moduli;
   }
   return result;
 }

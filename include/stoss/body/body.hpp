@@ -26,6 +26,10 @@ struct ModeGroup {
   std::size_t lower_row = 0;  ///< of Surface::shape
   std::vector<int> index{};   ///< l of each mode; empty: 0, 1, 2, …
   double wave_number = 0.0;   ///< of the shapes along the surface, 1/R
+
+  /// Of a body with Body::layers, modes × layers: the modulus of a mode is the sum of these times those of the layers,
+  /// each 1 at first (docs/theory/plates.md).
+  std::vector<double> moduli{};
 };
 
 /// Points at which bodies can touch: they belong to the contact, and every body is asked about the same ones. They lie
@@ -139,7 +143,9 @@ struct Body {
   double mass_along = 0.0;  ///< of the whole body against forces along its surface; 0: the same as along the normal
   double loss_time = 0.0;   ///< η of a lossy material, R/c: stress = (1 + η ∂/∂t) elastic stress
   Relaxation relaxation{};  ///< of a material that relaxes, times in R/c; instead of a loss time (relaxing)
-  double cutoff = 0.0;      ///< all modes with ω ≤ kept_cutoff(body) are in `groups` (but see with_modes)
+  std::vector<MaterialLoss> layers{};  ///< of layers that lose energy in different ways, times in R/c: both numbers
+                                       ///< above are then those of the uppermost one, at the surface
+  double cutoff = 0.0;                 ///< all modes with ω ≤ kept_cutoff(body) are in `groups` (but see with_modes)
   double highest_cutoff = std::numeric_limits<double>::infinity();  ///< that such a body can be made with
   /// Largest stable time step at a hard wall: above it one kick moves the kept modes of some order further than the
   /// residual compliance does.
@@ -191,7 +197,7 @@ using BodyMaker = std::function<Body(double cutoff, const Poll& poll)>;
 [[nodiscard]] BodyMaker rigid(const BodyMaker& maker);
 
 /// The same body of a material that relaxes from the modulus it has, with times in its R/c.
-/// @throws InvalidInput as validate(Relaxation), and for a body with a loss time
+/// @throws InvalidInput as validate(Relaxation), and for a body with a loss time or with layers that differ
 [[nodiscard]] Body relaxing(const Body& body, const Relaxation& relaxation);
 
 /// Makes such a body at any cutoff; without terms the body itself.
@@ -217,6 +223,12 @@ inline constexpr double strain_of_contact = 0.47;
 
 /// The same of a body, in its own units.
 [[nodiscard]] double kept_cutoff(const Body& body);
+
+/// Whether its material, or a layer of it, takes energy.
+[[nodiscard]] bool loses(const Body& body);
+
+/// Longest loss time of its layers; 0 if none has one.
+[[nodiscard]] double longest_loss_time(const Body& body);
 
 /// Number of kept modes.
 [[nodiscard]] std::size_t mode_count(const Body& body);

@@ -66,10 +66,10 @@ struct Contact {
 /// Modal mass of the modes of a group by themselves: the mass of their body.
 [[nodiscard]] double modal_mass(const Contact& contact, std::size_t group);
 
-/// Loss time η of the body that the modes of a group belong to, R/c of the first.
+/// Loss time η of the body that the modes of a group belong to, at its surface, R/c of the first.
 [[nodiscard]] double loss_time(const Contact& contact, std::size_t group);
 
-/// Relaxation of the body that the modes of a group belong to, times in R/c of the first.
+/// Relaxation of the body that the modes of a group belong to, at its surface, times in R/c of the first.
 [[nodiscard]] Relaxation relaxation(const Contact& contact, std::size_t group);
 
 /// Free motion of a mode by itself long after it was struck, Q̈ + 2γ Q̇ + w² Q = 0.
@@ -77,8 +77,8 @@ struct FreeMode {
   double gamma, frequency;
 };
 
-/// That of a mode of a group, 1/(R/c of the first). @param omega of the elastic body
-[[nodiscard]] FreeMode free_mode(const Contact& contact, std::size_t group, double omega);
+/// That of a mode of a group, 1/(R/c of the first).
+[[nodiscard]] FreeMode free_mode(const Contact& contact, std::size_t group, std::size_t index);
 
 /// Whether a material of the bodies takes energy: one has a loss time or relaxes.
 [[nodiscard]] bool loses(const Contact& contact);

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "stoss/encounter/encounter.hpp"
 
@@ -32,14 +33,22 @@ struct Losses {
   bool operator==(const Losses&) const = default;
 };
 
-/// Those that a body has of its own or, without any, those of its material; a rigid one has none of its material.
-/// @throws InvalidInput where there are two, and where layers differ
+/// Those that a body has of its own or, without any, those of its material, of a plate of its uppermost layer; a rigid
+/// one has none of its material.
+/// @throws InvalidInput where there are two, also of a layer below
 [[nodiscard]] Losses losses_of(const Participant& of);
 
-/// Whether it relaxes otherwise than by a loss time.
+/// The same of each layer, from the top down: all alike where the body has losses of its own.
+[[nodiscard]] std::vector<Losses> losses_of_layers(const Participant& of);
+
+/// Whether its layers lose energy in different ways.
+[[nodiscard]] bool layers_differ(const Participant& of);
+
+/// Whether it, or a layer of it, relaxes otherwise than by a loss time.
 [[nodiscard]] bool relaxes(const Participant& of);
 
-/// Refuses bodies that relax, for what knows loss times only. @param what refuses them
+/// Refuses bodies that relax, and layers that differ, for what knows one loss time of a body only. @param what refuses
+/// them
 void refuse_relaxing(const Encounter& encounter, const std::string& what);
 
 }  // namespace stoss

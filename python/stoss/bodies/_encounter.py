@@ -96,8 +96,9 @@ def encounter(body: Body, against: Against) -> _core.Encounter:
 
 def _document(body: Body, against: Against) -> str:
     if isinstance(against, PARTNERS):
-        # What a file holds is in SI, and the modulus of a quality is that at a frequency in SI.
-        in_si = any(KINDS[each._kind].from_file or (each.material and each.quality) for each in (body, against))
+        # What a file holds is in SI, and so are losses of layers by themselves and the frequency of a quality.
+        in_si = any(KINDS[each._kind].from_file or (each.material and (each.quality or each.loss_time is None))
+                    for each in (body, against))
         first, second = (describe(each) if in_si else each._numbers() for each in (body, against))
         return json.dumps({"first": first, "against": second})
     return json.dumps({"first": body._numbers_at_wall(), "against": against._document()})

@@ -235,9 +235,9 @@ def describe(solid: Solid) -> Specification:
 
 
 def losses_in(solid: Solid) -> Specification:
-    """How it loses energy; a loss time of 0 only where it does not relax."""
+    """How it loses energy; a loss time of 0 only where it does not relax, nothing where each layer does so by itself."""
     its = {name: getattr(solid, name) for name in LOSSES if getattr(solid, name, None)}
-    return its or {"loss_time": solid.loss_time}
+    return its or ({"loss_time": solid.loss_time} if solid.loss_time is not None else {})
 
 
 @functools.lru_cache(maxsize=64)

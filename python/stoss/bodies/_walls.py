@@ -62,7 +62,8 @@ class Plate(Endless):
             1.
         layers (sequence of Layer, optional): In place of these numbers and of `material`, layers from
             the top down, 20 at most, all with a material or none. Then the numbers are those of the
-            first. If their materials have different loss times, give `loss_time`.
+            first. Each layer loses energy as its material does; then `loss_time`, `quality` and
+            `relaxation` are None if they are not the same for all. Given, they hold for all layers.
 
     Examples:
         >>> stoss.Plate(thickness=2, poisson=0.3, young=0.5)
@@ -104,13 +105,17 @@ class Plate(Endless):
         document: Specification = {"kind": self._kind, "layers": layers, **losses}
         super().__post_init__()
         object.__setattr__(self, "layers", tuple(self.layers) if len(self.layers) > 1 else None)
+        materials = [each.material for each in self.layers or ()]
+        if not losses and any(each and self.material and losses_of(each) != losses_of(self.material) for each in materials):
+            for name in LOSSES:
+                object.__setattr__(self, name, None)
         _require(document, self.material)
 
     def __repr__(self) -> str:
         if self.layers is None:
             return super().__repr__()
         usual = losses_of(self.material) if self.material else NO_LOSSES
-        given = {name: getattr(self, name) for name in LOSSES if getattr(self, name) != usual[name]}
+        given = {name: getattr(self, name) for name in LOSSES if getattr(self, name) not in (None, usual[name])}
         return f"Plate(layers={list(self.layers)!r}{''.join(f', {name}={brief(its)}' for name, its in given.items())})"
 
     def _beside(self, body: Any) -> Plate:

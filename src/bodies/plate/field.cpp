@@ -81,7 +81,7 @@ PlateField::Parts::Parts(const Given& given, const Body& body, const ContactPoin
     as_half_space.emplace(given.layers.front().poisson, body, contact, std::move(grid));
     return;
   }
-  const Lamina plate = lamina(given.contour, sheets_of(given, body.part.echo));
+  const Lamina plate = lamina(given.contour, sheets_of(given, kinds_of(given, body.part.echo), body.part.echo));
   points = std::move(grid);
   modes = mode_count(body);
   medium.contour = given.contour;

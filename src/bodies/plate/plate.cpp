@@ -102,14 +102,23 @@ Body body_along(const Body& like, const Modes& its, const Poll& poll) {
 /// As such a plate it is a half-space.
 Body as_half_space(const Given& given, double cutoff, double duration, const Poll& poll) {
   const Layer& its = given.layers.front();
-  return given.contour == Contour::ball
-             ? stoss::half_space({its.poisson, its.young, its.density, given.loss_time}, cutoff, duration, poll)
-             : stoss::half_plane({its.poisson, its.young, its.density, given.loss_time}, cutoff, duration, poll);
+  const MaterialLoss loss = given.losses.empty() ? MaterialLoss{given.loss_time, {}} : given.losses.front();
+  const Body body =
+      given.contour == Contour::ball
+          ? stoss::half_space({its.poisson, its.young, its.density, loss.loss_time}, cutoff, duration, poll)
+          : stoss::half_plane({its.poisson, its.young, its.density, loss.loss_time}, cutoff, duration, poll);
+  return relaxing(body, in_time(loss.relaxation, given.speed()));
 }
 
 Body of_branches(const Given& given, double cutoff, double duration, const Poll& poll) {
-  const Lamina plate = lamina(given.contour, sheets_of(given, duration));
-  const double loss_time = given.own_loss_time(), highest = kept_cutoff(cutoff, loss_time);
+  const LayerKinds kinds = kinds_of(given, duration);
+  constexpr double swinging = 4.0;  // 1 to 8 change what is lost to a laminate by 2·10⁻⁵ of it
+  const Lamina plate =
+      lamina(given.contour, sheets_of(given, kinds, duration), kinds.differ() ? kinds.stiffness : std::vector<double>{},
+             swinging * turning_frequency(given, duration));
+  double loss_time = 0.0;
+  for (const MaterialLoss& its : kinds.all) loss_time = std::max(loss_time, its.loss_time);
+  const double highest = kept_cutoff(cutoff, loss_time);
   const double most = std::min(cutoff_of_count(plate, most_waves, duration), most_turns / duration);
   if (highest > most) {
     throw InvalidInput::out_of_range(
@@ -121,7 +130,9 @@ Body of_branches(const Given& given, double cutoff, double duration, const Poll&
   const auto modes = std::make_shared<const Modes>(
       Modes{plate, poisson, highest, highest_kept(plate, highest, poll), plane_waves(plate, highest, duration, poll)});
   const MediumSurface surface = surface_of(plate, poisson, false);
-  Body body = unbounded_body(surface, cutoff, loss_time, duration);
+  Body body = unbounded_body(surface, cutoff, kinds.all.front().loss_time, duration);
+  body.relaxation = kinds.all.front().relaxation;
+  if (kinds.differ()) body.layers = kinds.all;
   body.scale = {1.0, given.speed(), given.layers.front().density};
   body.highest_cutoff = loss_time * most > 1.0 ? infinity : most;
   if (given.contour == Contour::cylinder) {
@@ -140,8 +151,8 @@ Body of_branches(const Given& given, double cutoff, double duration, const Poll&
 
 /// How a plate or a strip gives way by bending, with D from that by a load of long waves, w = p/(Dk⁴). One so thick
 /// that this is below all numbers does not.
-void give_way(const Given& given, BodyPart& part) {
-  const Lamina real = lamina(given.contour, sheets_of(given, infinity));
+void give_way(const Given& given, const LayerKinds& kinds, BodyPart& part) {
+  const Lamina real = lamina(given.contour, sheets_of(given, kinds, infinity));
   // In a unit of length of which all powers below are exact, so that thick plates are far from the largest numbers.
   const double unit = std::exp2(2.0 * std::floor(0.5 * std::log2(real.thickness)));
   std::vector<Sheet> sheets = real.sheets;
@@ -172,7 +183,7 @@ Body made(const Given& given, double cutoff, double duration, const Poll& poll) 
   Body body = is_thick(given, duration) ? as_half_space(given, cutoff, duration, poll)
                                         : of_branches(given, cutoff, duration, poll);
   body.name = name_of(given);
-  if (!std::isinf(given.layers.back().thickness)) give_way(given, body.part);
+  if (!std::isinf(given.layers.back().thickness)) give_way(given, kinds_of(given, duration), body.part);
   body.strain = [given](const Load& load) { return strain_under(given, load); };
   body.near_side = [given](double longest, double limit, const Poll& heed) {
     return made(given, limit, longest, heed);

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "bodies/plate/branches.hpp"
+#include "bodies/plate/energy_shares.hpp"
 
 namespace stoss::bodies::plate {
 namespace {
@@ -59,6 +61,39 @@ void add(const Flexibility& more, Flexibility& sum) {
   sum.tangential += more.tangential;
 }
 
+/// The moduli of modes in each kind of layers at first: shares of their energy over those that the layers have here.
+///
+/// Modes that are slow enough to swing in the impact have their own shares. Together the others follow the force, in a
+/// field in which each by itself would have too much: they share what the energy of the static field leaves for them.
+/// Beside long waves, whose bending is nearly all of it, that has no digits.
+template <int N>
+void add_moduli(const Lamina& plate, const Sheets& sheets, double k, const Branches<N>& its,
+                std::vector<double>& moduli) {
+  const std::size_t kinds = plate.stiffness.size();
+  if (kinds == 0) return;
+  constexpr double digits = 1e-4;
+  std::vector<double> left = static_energies<N>(sheets, k, kinds);
+  double sum = std::accumulate(left.begin(), left.end(), 0.0);
+  const double least = digits * sum;
+  std::size_t m = 0;
+  const auto add = [&](const std::vector<double>& shares) {
+    for (std::size_t i = 0; i < kinds; ++i) moduli.push_back(shares[i] / plate.stiffness[i]);
+  };
+  for (; m < its.omega.size() && its.omega[m] <= plate.swinging; ++m) {
+    const std::vector<double> own = energy_shares<N>(sheets, k, its.omega[m], its.amplitude[m], kinds);
+    const double compliance = std::pow(its.amplitude[m](N - 1) / its.omega[m], 2);
+    for (std::size_t i = 0; i < kinds; ++i) left[i] -= compliance * own[i];
+    add(own);
+  }
+  for (double& energy : left) energy = std::max(energy, 0.0);
+  sum = std::accumulate(left.begin(), left.end(), 0.0);
+  const bool has_digits = sum > least;
+  for (double& energy : left) energy /= sum;
+  for (; m < its.omega.size(); ++m) {
+    add(has_digits ? left : energy_shares<N>(sheets, k, its.omega[m], its.amplitude[m], kinds));
+  }
+}
+
 PlaneWaves waves_of(const Lamina& plate, const WaveNumber& number, double cutoff, Tracks& tracks, const Poll& poll) {
   const double weight = plate.weight(number.k) * number.weight;
   PlaneWaves waves{number.k, number.weight, {}, {}, {}, {}, {}};
@@ -73,6 +108,7 @@ PlaneWaves waves_of(const Lamina& plate, const WaveNumber& number, double cutoff
       waves.normal.push_back(scale * its.amplitude[m](1));
       waves.along.push_back(-scale * its.amplitude[m](0));
     }
+    add_moduli(plate, sheets, number.k, its, waves.moduli);
     add(flexibility(its.compliance, share), waves.residual_compliance);
     add(flexibility(its.second_moment, share), waves.residual_second_moment);
     tracks[part].add(number.k, its.omega);
@@ -101,8 +137,10 @@ double Lamina::weight(double wave_number) const {
   return contour == Contour::ball ? 0.5 * wave_number / std::numbers::pi : 1.0 / std::numbers::pi;
 }
 
-Lamina lamina(Contour contour, std::vector<Sheet> sheets) {
+Lamina lamina(Contour contour, std::vector<Sheet> sheets, std::vector<double> stiffness, double swinging) {
   Lamina plate{};
+  plate.stiffness = std::move(stiffness);
+  plate.swinging = swinging;
   plate.contour = contour;
   plate.whole = {{sheets}};
   plate.halves = parts_of(sheets);
@@ -133,7 +171,8 @@ std::vector<SurfaceWaves> normal_waves(const std::vector<PlaneWaves>& waves) {
                         from.omega,
                         {},
                         from.residual_compliance.radial,
-                        from.residual_second_moment.radial};
+                        from.residual_second_moment.radial,
+                        from.moduli};
     for (const double amplitude : from.normal) normal.strength.push_back(amplitude * amplitude);
     all.push_back(std::move(normal));
   }
@@ -152,13 +191,16 @@ std::vector<SurfaceWaves> waves_along(const std::vector<PlaneWaves>& waves, cons
                        from.omega,
                        {},
                        half * from.residual_compliance.tangential,
-                       half * from.residual_second_moment.tangential};
+                       half * from.residual_second_moment.tangential,
+                       from.moduli};
     for (const double amplitude : from.along) along.strength.push_back(half * amplitude * amplitude);
     const std::vector<Sheets>& parts = plate.parts(from.wave_number);
     if (tracks.size() != parts.size()) tracks.assign(parts.size(), {});
     for (std::size_t part = 0; part < parts.size(); ++part) {
-      const Branches<1> across = branches<1>(reached(parts[part], from.wave_number, cutoff), from.wave_number, cutoff,
-                                             tracks[part].ahead(from.wave_number), poll);
+      const Sheets sheets = reached(parts[part], from.wave_number, cutoff);
+      const Branches<1> across =
+          branches<1>(sheets, from.wave_number, cutoff, tracks[part].ahead(from.wave_number), poll);
+      add_moduli(plate, sheets, from.wave_number, across, along.moduli);
       const double share = half * from.weight * plate.weight(from.wave_number) * parts[part].share;
       for (std::size_t m = 0; m < across.omega.size(); ++m) {
         along.omega.push_back(across.omega[m]);

@@ -21,6 +21,10 @@ struct Lamina {
   }
   std::vector<Sheets> whole, halves;
 
+  /// Of each kind of layers, if there are several: its moduli here over those at first.
+  std::vector<double> stiffness;
+  double swinging;  ///< frequency up to which waves swing in the impact; faster ones follow the force
+
   /// Speeds of the fastest layer.
   double pressure_speed, shear_speed;
 
@@ -28,7 +32,8 @@ struct Lamina {
   [[nodiscard]] double weight(double wave_number) const;
 };
 
-[[nodiscard]] Lamina lamina(Contour contour, std::vector<Sheet> sheets);
+[[nodiscard]] Lamina lamina(Contour contour, std::vector<Sheet> sheets, std::vector<double> stiffness = {},
+                            double swinging = 0.0);
 
 /// Modes of pressure and vertically polarised shear waves, which move the surface along its normal and along k.
 [[nodiscard]] std::vector<PlaneWaves> plane_waves(const Lamina& plate, double cutoff, double duration,

@@ -10,6 +10,7 @@ struct Sheet {
   double shear_modulus;     ///< μ
   double pressure_modulus;  ///< λ + 2μ
   double density;
+  int kind = 0;  ///< layers of one kind lose energy alike
 
   friend bool operator==(const Sheet&, const Sheet&) = default;
 };

@@ -55,6 +55,7 @@ struct SurfaceWaves {
   std::vector<double> strength;   ///< ω² times the share of each in the compliance
   double residual_compliance;     ///< Σ strength/ω² over those that are not kept
   double residual_second_moment;  ///< Σ strength/ω⁴ over those that are not kept
+  std::vector<double> moduli{};   ///< as ModeGroup::moduli
 };
 
 /// The same with both directions of a plane through k: every wave moves the surface along its normal as cos ky and
@@ -66,6 +67,7 @@ struct PlaneWaves {
   std::vector<double> normal, along;   ///< amplitudes of both directions
   Flexibility residual_compliance;     ///< Σ (normal, along)(normal, along)ᵀ/ω² of those that are not kept
   Flexibility residual_second_moment;  ///< the same with ω⁴
+  std::vector<double> moduli{};        ///< as ModeGroup::moduli
 };
 
 }  // namespace stoss::bodies

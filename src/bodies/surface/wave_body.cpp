@@ -74,7 +74,8 @@ std::vector<ModeGroup> plane_groups(Parity parity, const std::vector<PlaneWaves>
                     even ? plus : minus,
                     even ? minus : plus,
                     {},
-                    waves.wave_number};
+                    waves.wave_number,
+                    waves.moduli};
     for (std::size_t l = 0; l < waves.omega.size(); ++l) {
       const double upper = 0.5 * (waves.normal[l] + waves.along[l]);
       group.upper.push_back(even ? upper : -upper);
@@ -105,7 +106,7 @@ void set_waves(const MediumSurface& medium, std::vector<SurfaceWaves> kept, doub
   for (const SurfaceWaves& each : *waves) {
     const std::size_t row = body.groups.size();
     ModeGroup group{static_cast<int>(row), each.omega, {}, std::vector<double>(each.omega.size()), row, row, {},
-                    each.wave_number};
+                    each.wave_number,      each.moduli};
     for (const double strength : each.strength) group.upper.push_back(std::sqrt(strength));
     body.groups.push_back(std::move(group));
   }

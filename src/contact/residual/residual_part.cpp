@@ -3,6 +3,7 @@
 #include <functional>
 #include <utility>
 
+#include "contact/group_loss.hpp"
 #include "contact/unit_ratios.hpp"
 #include "numeric/damped_oscillator.hpp"
 #include "numeric/dense.hpp"
@@ -101,26 +102,21 @@ namespace {
 class BesideKicks {
  public:
   BesideKicks(const Contact& contact, std::size_t group, double step)
-      : step_(step),
-        mass_(contact.mass),
-        weaker_(longest_loss_time(contact) > 0.0),
-        loss_time_(loss_time(contact, group)),
-        relaxes_(!relaxation(contact, group).terms.empty()),
-        rates_(relaxation(contact, group)) {}
+      : step_(step), mass_(contact.mass), weaker_(longest_loss_time(contact) > 0.0), loss_(contact, group) {}
 
-  [[nodiscard]] double of(double omega) const {
-    if (!weaker_ && relaxes_) return relaxing_oscillator(omega, rates_).missing_beside_kicks(step_) / mass_;
-    const double share = weaker_ ? numeric::stable_kicks(omega, 0.5 * loss_time_ * omega * omega, step_).at_once
-                                 : numeric::share_beside_kicks(omega, 0.0, step_);
-    return share / (omega * omega * mass_);
+  [[nodiscard]] double of(std::size_t index, double omega) const {
+    if (weaker_) {
+      const auto [gamma, frequency] = loss_.dashpot(index, step_);
+      return numeric::stable_kicks(frequency, gamma, step_).at_once / (frequency * frequency * mass_);
+    }
+    if (loss_.relaxes()) return relaxing_oscillator(omega, loss_.rates(index)).missing_beside_kicks(step_) / mass_;
+    return numeric::share_beside_kicks(omega, 0.0, step_) / (omega * omega * mass_);
   }
 
  private:
   double step_, mass_;
   bool weaker_;
-  double loss_time_;
-  bool relaxes_;
-  Rates rates_;
+  GroupLoss loss_;
 };
 
 }  // namespace
@@ -136,7 +132,7 @@ void add_kick_compliance(const Contact& contact, const ContactGrid& grid, double
     const BesideKicks beside(contact, g, step);
     double upper = 0.0, mixed = 0.0, lower = 0.0;
     for (std::size_t l = 0; l < group.omega.size(); ++l) {
-      const double missing = beside.of(group.omega[l]);
+      const double missing = beside.of(l, group.omega[l]);
       upper += missing * group.upper[l] * group.upper[l];
       mixed += missing * group.upper[l] * group.lower[l];
       lower += missing * group.lower[l] * group.lower[l];

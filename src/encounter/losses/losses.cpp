@@ -64,59 +64,85 @@ double modulus_of(const Participant& of) {
   return strain ? its.young / (1.0 - its.poisson * its.poisson) : its.young;
 }
 
-/// What two layers differ in, as they have it.
-std::string in_words(const Losses& its) {
-  if (!its.relaxation.terms.empty()) return "a relaxation of " + text_of(its.relaxation);
-  return its.quality != 0.0 ? "a quality of " + shown(its.quality) : "a loss time of " + shown(its.loss_time) + " s";
-}
-
 }  // namespace
 
-Losses losses_of(const Participant& of) {
+Losses losses_of(const Participant& of) { return losses_of_layers(of).front(); }
+
+std::vector<Losses> losses_of_layers(const Participant& of) {
+  const std::size_t count = of.below.size() + 1;
   if (const auto own = own_losses(of)) {
     require_valid(of, *own);
-    return *own;
+    return std::vector<Losses>(count, *own);
   }
-  if (of.rigid) return {};
-  const auto its = [](const Participant& layer) { return layer.material ? of_material(*layer.material) : Losses{}; };
-  Losses made = its(of);
+  if (of.rigid) return std::vector<Losses>(count);
+  std::vector<Losses> all;
+  const auto add = [&](const Participant& layer) {
+    const Losses its = layer.material ? of_material(*layer.material) : Losses{};
+    require_valid(of, its);
+    all.push_back(its);
+  };
+  add(of);
   for (const Participant& layer : of.below) {
-    if (const Losses other = its(layer); other != made) {
-      const bool times = made.relaxation == other.relaxation && made.quality == other.quality;
-      throw InvalidInput::conflict(times ? "loss_time" : "relaxation",
-                                   "the layers' materials have " + in_words(made) + " and " + in_words(other) +
-                                       ", but one holds for the whole " + of.kind,
-                                   times ? "give it; 0: no loss" : "give it, or a loss_time of 0: no loss");
+    try {
+      add(layer);
+    } catch (const InvalidInput& error) {
+      throw error.within("layer " + std::to_string(all.size() + 1));
     }
   }
-  require_valid(of, made);
-  return made;
+  return all;
+}
+
+bool layers_differ(const Participant& of) {
+  const std::vector<Losses> all = losses_of_layers(of);
+  return std::any_of(all.begin(), all.end(), [&](const Losses& its) { return its != all.front(); });
 }
 
 bool relaxes(const Participant& of) {
-  const Losses its = losses_of(of);
-  return its.quality != 0.0 || !its.relaxation.terms.empty();
+  const std::vector<Losses> all = losses_of_layers(of);
+  return std::any_of(all.begin(), all.end(),
+                     [](const Losses& its) { return its.quality != 0.0 || !its.relaxation.terms.empty(); });
 }
 
 void refuse_relaxing(const Encounter& encounter, const std::string& what) {
   const auto refuse = [&what](const Participant& of) {
-    if (!relaxes(of)) return;
-    throw InvalidInput::conflict(losses_of(of).quality != 0.0 ? "quality" : "relaxation",
-                                 what + " knows no material that relaxes", "give a loss_time");
+    if (relaxes(of)) {
+      throw InvalidInput::conflict(losses_of(of).quality != 0.0 ? "quality" : "relaxation",
+                                   what + " knows no material that relaxes", "give a loss_time");
+    }
+    if (layers_differ(of)) {
+      throw InvalidInput::conflict("loss_time", what + " knows one for all layers of a " + of.kind,
+                                   "give it; 0: no loss");
+    }
   };
   refuse(encounter.first);
   with_prefix_against([&] { refuse(encounter.against); });
 }
 
-double stiffening(const Participant& of, double size) {
-  const Losses its = losses_of(of);
-  if (its.quality == 0.0 || !of.material || of.rigid) return 1.0;
-  // The band is in c/R of E(0). With Ω of E(ω) in place of it, s = E(0)/E(ω) = f(Ω/√s) = f(Ω) s^(a/2), as f ∝ Ω^−a.
+std::vector<double> stiffening(const Participant& of, double size) {
+  const std::vector<Losses> all = losses_of_layers(of);
+  std::vector<double> factors(all.size(), 1.0);
+  if (!of.material || of.rigid) return factors;
   const double own = given_or(of, "radius", given_or(of, "length", size));
   const double speed = std::sqrt(modulus_of(of) / of.material->density);
-  const Relaxation band = constant_quality(its.quality, lowest_of_body, highest_of_body);
-  const double power = 2.0 / std::numbers::pi * std::atan(1.0 / its.quality);
-  return std::pow(instantaneous(band, its.quality, its.frequency * own / speed), 1.0 / (1.0 - 0.5 * power));
+  const auto at = [&](const Losses& its, double frequency) {
+    return instantaneous(constant_quality(its.quality, lowest_of_body, highest_of_body), its.quality, frequency);
+  };
+  const auto of_first = [&](const Losses& its) {
+    if (its.quality == 0.0) return 1.0;
+    // The band is in c/R of E(0). With Ω of E(ω) in place of it, s = E(0)/E(ω) = f(Ω/√s) = f(Ω) s^(a/2), as f ∝ Ω^−a.
+    const double power = 2.0 / std::numbers::pi * std::atan(1.0 / its.quality);
+    return std::pow(at(its, its.frequency * own / speed), 1.0 / (1.0 - 0.5 * power));
+  };
+  factors.front() = of_first(all.front());
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const Losses& its = all[i];
+    if (its == all.front()) {
+      factors[i] = factors.front();
+    } else if (its.quality != 0.0) {  // in c/R of the first layer, as all of them
+      factors[i] = at(its, its.frequency * own / (speed * std::sqrt(factors.front())));
+    }
+  }
+  return factors;
 }
 
 double instantaneous_of_relaxed(double relaxed, const Relaxation& relaxation) {

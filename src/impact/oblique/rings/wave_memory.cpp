@@ -45,10 +45,7 @@ MatrixXd common_shapes(const Contact& along, const ContactGrid& grid) {
 
 bool remembers_waves(const Contact& along) {
   const std::size_t first = along.first_groups;
-  if (!along.unbounded || first >= along.groups.size() || loss_time(along, first) > 0.0 ||
-      !relaxation(along, first).terms.empty()) {
-    return false;
-  }
+  if (!along.unbounded || first >= along.groups.size() || loses(*along.second)) return false;
   return std::all_of(along.groups.begin() + static_cast<std::ptrdiff_t>(first), along.groups.end(),
                      [](const ModeGroup& group) {
                        return std::all_of(group.lower.begin(), group.lower.end(), [](double w) { return w == 0.0; });
