@@ -37,7 +37,8 @@ void validate(const Relaxation& relaxation) {
 
 void validate(const MaterialLoss& loss) {
   validate(loss.relaxation);
-  require("loss_time", loss.loss_time, {0.0, std::numeric_limits<double>::max(), true, true, "finite, 0 or more"}, "eta");
+  require("loss_time", loss.loss_time, {0.0, std::numeric_limits<double>::max(), true, true, "finite, 0 or more"},
+          "eta");
   if (loss.loss_time > 0.0 && !loss.relaxation.terms.empty()) {
     throw InvalidInput::conflict("relaxation", "the material has a loss_time too", "give one of both");
   }

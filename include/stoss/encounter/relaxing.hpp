@@ -38,7 +38,7 @@ struct Losses {
 /// @throws InvalidInput where there are two, also of a layer below
 [[nodiscard]] Losses losses_of(const Participant& of);
 
-/// The same of each layer, from the top down: all alike where the body has losses of its own.
+/// The same of each layer, from the top down: one for all where the body has losses of its own.
 [[nodiscard]] std::vector<Losses> losses_of_layers(const Participant& of);
 
 /// Whether its layers lose energy in different ways.

@@ -39,6 +39,17 @@ def test_the_numbers_are_those_of_the_first_layer():
     assert COATED.poisson is None and COATED.layers[1].thickness is None
 
 
+def test_layers_have_the_losses_of_their_materials():
+    relaxing = stoss.Material(young=1e9, poisson=0.4, density=1000, relaxation=[(0.5, 1e-5)])
+    plate = stoss.Plate(layers=[PANE, stoss.Layer(thickness=1e-3, material=relaxing), PANE])
+    assert (plate.loss_time, plate.quality, plate.relaxation) == (None, None, None)
+    assert repr(plate).endswith("])") and make("against", json.loads(json.dumps(describe(plate)))) == plate
+    assert set(document_of(IN_SI, plate)) == {"kind", "layers"}
+    hits = [stoss.impact(IN_SI, against=each, speed=0.1, cutoff=4)
+            for each in (plate, stoss.Plate(layers=plate.layers, relaxation=[(0.5, 1e-5)]), LAMINATED)]
+    assert hits[1].dissipated > 2 * hits[0].dissipated > 0.001 and hits[2].dissipated < hits[0].dissipated
+
+
 def document_of(body, against):
     return json.loads(encounter(body, against._beside(body)).to_json())["against"]
 

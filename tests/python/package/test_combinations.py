@@ -106,7 +106,7 @@ TOGETHER = [
     (lambda: plate(stoss.Layer()), "thickness: missing"),
     (lambda: plate(PANE, stoss.Layer(material=GLASS), PANE), "layer 2 thickness: missing"),
     (lambda: plate(*[PANE] * 21), "layers: got 21, allowed 1 to 20"),
-    (lambda: plate(PANE, FILM), "loss_time: the layers' materials have "),
+    (lambda: plate(PANE, FILM, quality=10, loss_time=1e-6), "quality: got a quality beside a loss_time"),
     (lambda: plate(PANE, stoss.Layer(thickness=1)), "layer 2 material: missing"),
     # What vibrates before, which modes, and what is inside of whom.
     (lambda: impact(BALL, state=stoss.Oscillation(2, 0, nan)), "energy: got nan, allowed 0 to 1e12"),
