@@ -9,6 +9,7 @@
 #include "contact/unit_ratios.hpp"
 #include "restitution/calibration.hpp"
 #include "restitution/ladder/climb.hpp"
+#include "restitution/layer_doubt.hpp"
 #include "restitution/loss_shares.hpp"
 
 namespace stoss {
@@ -237,7 +238,8 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
     const bool is_loss = bar.estimate == &Restitution::lost_fraction;
     if (!is_loss && estimate.error >= std::abs(estimate.value)) estimate.error = unknown;
   }
-  result.lost_fraction.error += neglected(correction, result.finest) + last.remaining;
+  const double layers = doubt_of_layers(contact, last);  // which no cutoff changes
+  result.lost_fraction.error += neglected(correction, result.finest) + last.remaining + layers;
   const double lost = result.lost_fraction.value, error = result.lost_fraction.error;
   const double squared = std::max(0.0, 1.0 - lost);
   const double value = std::copysign(std::sqrt(squared), result.finest.restitution);
@@ -248,7 +250,7 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
     }
   }
   apportion_losses(contact, result);
-  result.converged = error <= std::max(result.tolerance * std::abs(lost), result.absolute);
+  result.converged = error - layers <= std::max(result.tolerance * std::abs(lost), result.absolute);
 }
 
 }  // namespace stoss

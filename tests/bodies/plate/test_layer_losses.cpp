@@ -18,6 +18,7 @@
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/restitution/ladder.hpp"
+#include "stoss/restitution/restitution.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {
@@ -229,6 +230,19 @@ TEST(LayersThatDiffer, LoseMoreTheMoreOfThemAndTheNearerTheyDo) {
     EXPECT_GT(below[1], none[1]);
     EXPECT_GT(above[1], below[1]);
   }
+}
+
+TEST(LayersThatDiffer, HaveThatInTheErrorAndNotInTheTolerance) {
+  const Relaxation rubber{{{0.3, 0.1}, {0.3, 1.0}, {0.3, 10.0}}};
+  Plate its{0.8, 0.2};
+  its.below = {{0.16, 0.4, 0.05, 0.5}, {0.8, 0.2, 1.0, 1.0}};
+  its.losses = {{}, {0.0, rubber}, {}};
+  const Restitution made = restitution({sphere(Sphere{0.3}), plate(its)}, 0.01, {.tolerance = 1e-3});
+  EXPECT_TRUE(made.converged);
+  const double heat = made.finest.energy.dissipated;
+  EXPECT_GT(heat, 0.005);
+  EXPECT_GE(made.lost_fraction.error, 0.04 * heat);
+  EXPECT_LT(made.lost_fraction.error, 0.04 * heat + 1e-3 * made.lost_fraction.value);
 }
 
 TEST(LayersThatDiffer, AreRefusedLossesThatDoNotFit) {
