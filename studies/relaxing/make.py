@@ -90,6 +90,33 @@ def of_rubber(program, name, temperature, heights=HEIGHTS):
                "rebound_error": f"{float(row['lost_fraction_error']):.1e}"}  # fmt: skip
 
 
+# Laminated glass
+
+SHEET, FILM = "thickness=0.004,material=glass", "thickness={:g},material=PVB"
+PLATES = {
+    "one piece of glass": ["thickness=0.008,material=glass"],
+    "0.38 mm of PVB between": [SHEET, FILM.format(3.8e-4), SHEET],
+    "1.52 mm of PVB between": [SHEET, FILM.format(1.52e-3), SHEET],
+    "0.38 mm of PVB on top": [FILM.format(3.8e-4), "thickness=0.008,material=glass"],
+    "1.52 mm of PVB on top": [FILM.format(1.52e-3), "thickness=0.008,material=glass"],
+}
+
+
+def of_laminate(program, name, speed=0.2):
+    """Of a plate whose layers lose as their materials do, and of the same without losses."""
+    top, *below = PLATES[name]
+    found = []
+    for loss in ("", ",loss_time=0"):
+        job = f"restitution --body sphere --material 'bearing steel' --radius 0.005 --speed {speed} --against plate,"
+        found += run(program, job + "/".join([top + loss, *below]))
+    lossy, elastic = found
+    return {"plate": name, "restitution": f"{float(lossy['restitution']):.5f}",
+            "restitution_error": f"{float(lossy['restitution_error']):.1e}",
+            "lost_fraction": f"{float(lossy['lost_fraction']):.5g}", "dissipated": f"{float(lossy['dissipated']):.4g}",
+            "contact_time[s]": f"{float(lossy['contact_time_si']):.4g}",
+            "restitution_without_loss": f"{float(elastic['restitution']):.5f}"}  # fmt: skip
+
+
 # What a drop test measures
 
 
@@ -137,6 +164,8 @@ def main(program, folder):
           (row for quality in (10, 100) for count in TERMS for row in of_terms(program, quality, count)))  # fmt: skip
     write(folder, "rubber", "Rubber balls from studies/relaxing, R = 12.5 mm, at a rigid wall",
           (row for name in RUBBERS for each in TEMPERATURES for row in of_rubber(program, name, each)))  # fmt: skip
+    write(folder, "laminate", "A ball of bearing steel, R = 5 mm, at 0.2 m/s on laminated glass",
+          (of_laminate(program, name) for name in PLATES))  # fmt: skip
     write(folder, "drop", "Slow spheres of constant Q at a rigid wall, 1e-6 c, nu = 0.3",
           (of_drop(program, quality) for quality in (1000, 300, 100, 30, 10)))  # fmt: skip
     write(folder, "channels", "Balls of R = 5 mm on a block of glass",

@@ -16,8 +16,9 @@ SPEC.loader.exec_module(make)
 one_ball = sys.modules["one_ball"]
 
 PAGE, WORDS = page("docs/understand/findings/relaxing.md")
-LAW, TERMS, RUBBER, DROP, CHANNELS = (table(f"docs/results/relaxing/{name}.csv")
-                                      for name in ("laws", "terms", "rubber", "drop", "channels"))  # fmt: skip
+LAW, TERMS, RUBBER, LAMINATE, DROP, CHANNELS = (
+    table(f"docs/results/relaxing/{name}.csv") for name in ("laws", "terms", "rubber", "laminate", "drop", "channels")
+)
 PROGRAM = os.environ["STOSS"]
 
 
@@ -62,6 +63,13 @@ def rubbers():
                        f"{100 * row['rebound']:.1f} %", f"{100 * row['rebound_of_constant_quality']:.1f} %")  # fmt: skip
 
 
+def laminates():
+    for row in LAMINATE:
+        yield line(row["plate"], f"{row['restitution']:.4f}", percent(row["lost_fraction"]),
+                   f"{100 * row['dissipated']:.2f} %", f"{row['contact_time'] * 1e6:.0f} µs",
+                   f"{row['restitution_without_loss']:.4f}")  # fmt: skip
+
+
 def drops():
     for row in DROP:
         yield line(f"{row['quality']:g}", f"{row['restitution']:.5f}", f"{row['times_quality']:.4f}",
@@ -76,7 +84,7 @@ def shares():
             yield line(f"{row['ball']}, {row['speed']:g} m/s", f"{row['restitution']:.4f}", *cells)
 
 
-@pytest.mark.parametrize("expected", [*laws(), *counts(), *rubbers(), *drops(), *shares()])
+@pytest.mark.parametrize("expected", [*laws(), *counts(), *rubbers(), *laminates(), *drops(), *shares()])
 def test_lines_of_tables(expected):
     assert expected in PAGE.splitlines(), expected
 
@@ -128,6 +136,21 @@ def test_rebounds_of_rubber():
     assert "from {} % to {} % between 20 and 10 °C".format(*(percents["happy", each] for each in (20, 10))) in WORDS
 
 
+def test_film_of_a_laminate():
+    piece, *films = LAMINATE
+    between, top = films[:2], films[2:]
+    heat = [percent(row["dissipated"], 1) for row in between]
+    assert heat[0] == heat[1] and f"the film takes {heat[0]} of the energy as heat" in WORDS
+    falls = [piece["restitution"] - row["restitution"] for row in between]
+    assert "lowers ε by {:.2f} to {:.2f}".format(*falls) in WORDS
+    assert max(row["restitution_without_loss"] - row["restitution"] for row in between) < 2e-3 and "same to 0.002" in WORDS
+    longer = [row["contact_time"] / piece["contact_time"] for row in top]
+    assert "{:.0f} to {:.0f} times as long".format(*longer) in WORDS
+    assert "ε rises to {:.2f} and {:.2f}".format(*(row["restitution"] for row in top)) in WORDS
+    heat = sorted(row["dissipated"] for row in top)
+    assert "takes {:.0f} to {:.0f} % as heat".format(*(100 * each for each in heat)) in WORDS
+
+
 def test_quality_of_a_drop():
     for quality, said in ((100, "1 % too high at Q = 100"), (10, "11 % at Q = 10")):
         found = one(DROP, quality=quality)["quality_by_2.41"]
@@ -146,6 +169,8 @@ def test_tables_are_those_of_the_command():
     (row,) = make.of_rubber(PROGRAM, "happy", 20, [1])
     stored = one(RUBBER, ball="happy", temperature=20, height=1)
     assert float(row["rebound"]) == near(stored["rebound"], abs=2 * stored["rebound_error"])
+    row, stored = make.of_laminate(PROGRAM, "1.52 mm of PVB on top"), one(LAMINATE, plate="1.52 mm of PVB on top")
+    assert float(row["restitution"]) == near(stored["restitution"], abs=2 * stored["restitution_error"])
     row, stored = make.of_drop(PROGRAM, 100), one(DROP, quality=100)
     assert float(row["lost_fraction"]) == near(stored["lost_fraction"], abs=2 * stored["lost_fraction_error"])
 
