@@ -69,7 +69,7 @@ void run(const BounceArguments& asked_for) {
   const Yielding yielding = cli::yielding(encounter);
   Columns columns = its.columns();
   append(columns, yielding.columns());
-  double slowest_met = first, fastest = 0.0;
+  double fastest = 0.0;
   double strain = 0.0;  // greatest that is beyond what is small
   long short_flights = 0;
   const OutputOptions& output = arguments.output;
@@ -79,7 +79,7 @@ void run(const BounceArguments& asked_for) {
       Row row = its.row(bounce);
       append(row, yielding.row(bounce.speed));
       writer.add(row);
-      slowest_met = std::min(slowest_met, bounce.speed), fastest = std::max(fastest, bounce.speed);
+      fastest = std::max(fastest, bounce.speed);
       if (bounce.beyond_small_strain) strain = std::max(strain, bounce.strain);
       short_flights += bounce.short_flight ? 1 : 0;
     });
@@ -89,7 +89,7 @@ void run(const BounceArguments& asked_for) {
     output.warn(
         fmt::format("{} flights too short for the vibration to keep clear of the wall (short_flight)", short_flights));
   }
-  if (fastest > 0.0) warn_of_materials(output, encounter, slowest_met, fastest);
+  if (fastest > 0.0) warn_of_materials(output, encounter, fastest);
 }
 
 void add_flight(CLI::App& command, BounceArguments& arguments) {

@@ -172,7 +172,7 @@ void run(const DistributionArguments& asked) {
     compute_samples(ensemble, run);
     summarize(samples, output, run.writer());
   });
-  warn_of_materials(output, encounter, ensemble.speed, ensemble.speed);
+  warn_of_materials(output, encounter, ensemble.speed);
   run.conclude();
 }
 

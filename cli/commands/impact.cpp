@@ -127,7 +127,7 @@ void run(const ImpactArguments& asked_for) {
   const Impact result = compute(arguments, encounter, contact, speed, options);
   if (result.remaining > 0.0) asked.warn(note_of_staying());
   if (result.beyond_small_strain) asked.warn_of_strain(result.strain, "here");
-  warn_of_materials(asked, encounter, result.speed, result.speed);
+  warn_of_materials(asked, encounter, result.speed);
 
   const auto [columns, row] = make_row(result, encounter);
   if (asked.chosen_format() == Format::table) {

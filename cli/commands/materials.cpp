@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <complex>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -26,12 +27,12 @@ nlohmann::ordered_json details_of(const NamedMaterial& of) {
   const Uncertainties& its = of.uncertainties;
   return {{"strength_source", of.strength_source},
           {"surface_source", of.surface_source},
-          {"frequency[rad/s]", of.frequency},
+          {"frequency[rad/s]", of.material.frequency},
           {"uncertainties",
            {{"young", its.young},
             {"poisson", its.poisson},
             {"density", its.density},
-            {"loss_time", its.loss_time},
+            {"loss", its.loss},
             {"yield_strength", its.yield_strength},
             {"surface_energy", its.surface_energy}}}};
 }
@@ -44,15 +45,19 @@ std::string all_of(const NamedMaterial& its) {
   const Uncertainties& known = its.uncertainties;
   std::string text = "\n" + line("source", its.source) + line("yield strength", its.strength_source) +
                      line("surface energy", its.surface_source);
-  text += fmt::format("frequency of modulus and quality: {:.6g} Hz\n", its.frequency / (2.0 * std::numbers::pi));
-  if (its.material.loss_time) text += fmt::format("loss time: {:.4g} s\n", *its.material.loss_time);
-  if (!its.spectrum.terms.empty()) {
-    text += fmt::format("relaxation from E(0) = {:.4g} Pa: {}\n", relaxing_material(its).young, text_of(its.spectrum));
+  const Material& of = its.material;
+  const double hertz = of.frequency / (2.0 * std::numbers::pi);
+  if (of.relaxation) {
+    const std::complex<double> there = of.young * modulus(*of.relaxation, {0.0, of.frequency});
+    text += fmt::format("at {:.6g} Hz: E' = {:.4g} Pa, E'' = {:.4g} Pa\n", hertz, there.real(), there.imag());
+    text += fmt::format("relaxation from E(0) = {:.4g} Pa: {}\n", of.young, text_of(*of.relaxation));
+  } else {
+    text += fmt::format("frequency of the modulus: {:.6g} Hz\n", hertz);
   }
   text += "known within a factor of:";
   for (const auto& [name, uncertainty] :
        {std::pair{"young", known.young}, std::pair{"poisson", known.poisson}, std::pair{"density", known.density},
-        std::pair{"loss_time", known.loss_time}, std::pair{"yield_strength", known.yield_strength},
+        std::pair{"loss", known.loss}, std::pair{"yield_strength", known.yield_strength},
         std::pair{"surface_energy", known.surface_energy}}) {
     if (uncertainty > 0.0) text += fmt::format(" {} {:g}", name, 1.0 + uncertainty);
   }
@@ -68,7 +73,6 @@ void run(const MaterialsArguments& arguments) {
                         {"density", "kg/m^3", 8},
                         {"yield_strength", "Pa", 15},
                         {"quality", "", 8},
-                        {"loss_time", "s"},
                         {"surface_energy", "J/m^2", 15},
                         {"relaxation", ""},
                         {"source", ""}};
@@ -76,15 +80,15 @@ void run(const MaterialsArguments& arguments) {
   const auto known = [](const std::optional<double>& value) { return value ? Value(*value) : Value(std::string()); };
   for (const NamedMaterial& each : shown) {
     const Material& its = each.material;
-    writer.add({std::string(each.name), its.young, its.poisson, its.density, known(its.yield_strength),
-                each.quality > 0.0 ? Value(each.quality) : Value(std::string()), known(its.loss_time),
-                known(its.surface_energy), text_of(each.spectrum), std::string(each.source)},
-               details_of(each));
+    writer.add(
+        {std::string(each.name), its.young, its.poisson, its.density, known(its.yield_strength), known(its.quality),
+         known(its.surface_energy), its.relaxation ? text_of(*its.relaxation) : "", std::string(each.source)},
+        details_of(each));
   }
   if (arguments.output.chosen_format() == Format::table) {
     writer.close_table(
         (arguments.name.empty() ? "" : all_of(shown.front())) +
-        "\nquality: at contacts of 50 us (rubber: 1 ms); nothing: not known well enough,\nor a relaxation\n" +
+        "\nquality: at all frequencies; nothing: not known well enough, or a relaxation,\nwhose young is E(0)\n" +
         (arguments.name.empty() ? "all of one: stoss materials NAME; all of all: --format json\n" : ""));
   }
   writer.finish();

@@ -140,7 +140,7 @@ void add_predict(CLI::App& app) {
       "  stoss predict --body sphere --material glass --radius 0.002 --height 0.1,0.5\n"
       "      --against plate,material=glass,thickness=0.01\n"
       "  stoss predict --body sphere --material ice --radius 1e-6 --speed log:0.1:10:5 --against same\n"
-      "      --adhesion 0.2 --uncertainty against.loss_time=2");
+      "      --adhesion 0.2 --uncertainty against.loss=2");
   CLI::App& command = *arguments.command;
   arguments.who.first.add_poisson_to(command);
   arguments.approach.add_to(command, Question::predict, "Motion");

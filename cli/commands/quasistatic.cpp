@@ -127,7 +127,7 @@ void impacts(const QuasistaticArguments& arguments, const Of& of, const Encounte
                     "too large (see stoss restitution)",
                     beyond, speeds.size()));
   }
-  warn_of_elastic_materials(output, encounter, *std::max_element(speeds.begin(), speeds.end()));
+  warn_of_materials(output, encounter, *std::max_element(speeds.begin(), speeds.end()));
 }
 
 template <typename Of>

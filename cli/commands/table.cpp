@@ -118,7 +118,7 @@ void warn(const TableArguments& arguments, const TableJob& job) {
     for (const std::string& line : sound_warnings(job.encounter)) arguments.output.warn(line);
     return;
   }
-  warn_of_materials(arguments.output, job.encounter, job.speeds[0], job.speeds[1]);
+  warn_of_materials(arguments.output, job.encounter, job.speeds[1]);
 }
 
 void run(const TableArguments& arguments) {

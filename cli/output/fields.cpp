@@ -41,19 +41,10 @@ Row Yielding::row(double impact) const {
   return {*speed / units.si->speed, *speed, is_below(impact)};
 }
 
-void warn_of_materials(const OutputOptions& output, const Encounter& encounter, double slowest, double fastest) {
+void warn_of_materials(const OutputOptions& output, const Encounter& encounter, double fastest) {
   const std::optional<Scales> si = si_scales(encounter);
   if (!si) return;
-  for (const std::string& line : material_warnings(encounter, slowest * si->speed, fastest * si->speed)) {
-    output.warn(line);
-  }
-}
-
-void warn_of_elastic_materials(const OutputOptions& output, const Encounter& encounter, double fastest) {
-  const std::optional<Scales> si = si_scales(encounter);
-  if (!si) return;
-  if (const std::string line = yield_warning(encounter, fastest * si->speed); !line.empty()) output.warn(line);
-  for (const std::string& line : sound_warnings(encounter)) output.warn(line);
+  for (const std::string& line : material_warnings(encounter, fastest * si->speed)) output.warn(line);
 }
 
 }  // namespace stoss::cli

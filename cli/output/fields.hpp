@@ -130,10 +130,7 @@ struct Yielding {
   return {units_of(encounter), yield_speed(encounter)};
 }
 
-/// Warns of what materials do that was not computed. @param slowest,fastest impact of all, c of the first body
-void warn_of_materials(const OutputOptions& output, const Encounter& encounter, double slowest, double fastest);
-
-/// The same of impacts without any loss in the material, which is not off then.
-void warn_of_elastic_materials(const OutputOptions& output, const Encounter& encounter, double fastest);
+/// Warns of what materials do that was not computed. @param fastest impact of all, c of the first body
+void warn_of_materials(const OutputOptions& output, const Encounter& encounter, double fastest);
 
 }  // namespace stoss::cli

@@ -47,7 +47,7 @@ void RowRun::count(const Row& row) {
   note("beyond_small_strain", "strain", strain_);
   note("beyond_small_turn", "turned", turned_);
   if (const Value* speed = find(plan_.columns, row, "speed")) {
-    slowest_ = std::min(slowest_, number(*speed)), fastest_ = std::max(fastest_, number(*speed));
+    fastest_ = std::max(fastest_, number(*speed));
   }
   if (plan_.observer) plan_.observer(row);
   ++done_;
@@ -84,7 +84,7 @@ void RowRun::conclude() const {
   if (stays_) options_.output.warn(note_of_staying());
   if (strain_ > 0.0) options_.output.warn_of_strain(strain_);
   if (turned_ > 0.0) options_.output.warn_of_turning(turned_);
-  if (plan_.encounter && fastest_ > 0.0) warn_of_materials(options_.output, *plan_.encounter, slowest_, fastest_);
+  if (plan_.encounter && fastest_ > 0.0) warn_of_materials(options_.output, *plan_.encounter, fastest_);
   if (marked_ == 0) return;
   options_.output.warn(fmt::format("{} of {} values not as accurate as asked for (marked)", marked_, done_));
   throw NotAsAsked{};

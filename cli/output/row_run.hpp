@@ -77,8 +77,8 @@ class RowRun {
   std::size_t done_ = 0;
   std::size_t marked_ = 0;
   bool stays_ = false;
-  double strain_ = 0.0, turned_ = 0.0;      ///< greatest of the rows that are beyond what is small
-  double slowest_ = 1e100, fastest_ = 0.0;  ///< speed of the slowest and the fastest row, c of the first body
+  double strain_ = 0.0, turned_ = 0.0;  ///< greatest of the rows that are beyond what is small
+  double fastest_ = 0.0;                ///< speed of the fastest row, c of the first body
 };
 
 }  // namespace stoss::cli

@@ -58,8 +58,8 @@ py::list all_materials() {
   py::list all;
   for (const NamedMaterial& each : named_materials()) {
     const Material& its = each.material;
-    all.append(py::make_tuple(each.name, its.young, its.poisson, its.density, its.yield_strength, its.loss_time,
-                              its.surface_energy, terms_of(its.relaxation)));
+    all.append(py::make_tuple(each.name, its.young, its.poisson, its.density, its.yield_strength, its.surface_energy,
+                              its.quality, its.frequency, terms_of(its.relaxation)));
   }
   return all;
 }
@@ -190,8 +190,6 @@ void bind_encounters(py::module_& module) {
   def(handle, "yield_speed", [](const Encounter& self) { return yield_speed(self); });
   def(handle, "yield_warning", {"speed"},
       [](const Encounter& self, double speed) { return yield_warning(self, speed); });
-  def(handle, "loss_warnings", {"slowest", "fastest"},
-      [](const Encounter& self, double slowest, double fastest) { return loss_warnings(self, slowest, fastest); });
   def(handle, "sound_warnings", [](const Encounter& self) { return sound_warnings(self); });
   def(handle, "scales", [](const Encounter& self) { return to_tuple(si_scales(self).value()); });
   def(handle, "wave_speeds", [](const Encounter& self) {

@@ -64,7 +64,7 @@ def _sweep(words: Sequence[str]) -> int:
     if doubtful:
         hint = "they are in the store with their errors, converged is false"
         say(f"stoss: warning: {doubtful} of {values} values not as accurate as asked for ({hint})")
-    for said in material_warnings(grid.cases(), float(grid.speed.min()), float(grid.speed.max())):
+    for said in material_warnings(grid.cases(), float(grid.speed.max())):
         say(f"stoss: warning: {said}")
     return 0
 

@@ -83,10 +83,10 @@ int stoss_relaxing_make(const stoss_body* elastic, const double* shares, const d
     stoss::Relaxation relaxation;
     for (size_t i = 0; i < count; ++i) relaxation.terms.push_back({shares[i], times[i]});
     const double loss_time = std::visit([](const auto& its) { return its.loss_time; }, elastic->value);
-    if (elastic->rigid || elastic->relaxes || loss_time != 0.0) {
+    if (elastic->rigid || !elastic->relaxation.terms.empty() || loss_time != 0.0) {
       throw stoss::InvalidInput::conflict("elastic", "it is rigid, has a loss_time or relaxes already");
     }
-    return stoss_body{elastic->value, false, stoss::maker(elastic->value, relaxation), count > 0};
+    return stoss_body{elastic->value, false, stoss::maker(elastic->value, relaxation), relaxation};
   });
 }
 

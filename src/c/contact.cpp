@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "c/interface.hpp"
+#include "encounter/participant.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/encounter/collision.hpp"
 #include "stoss/encounter/document.hpp"
-#include "stoss/encounter/relaxing.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/curve.hpp"
 #include "stoss/restitution/oblique_curve.hpp"
@@ -81,12 +81,14 @@ int stoss_open(const char* json, stoss_contact** contact) {
     if (given.against.kind == "exponential") {
       throw stoss::InvalidInput::out_of_range("against", "exponential", "a hard wall or a body");
     }
-    const stoss_body first{stoss::first_solid(given), given.first.rigid, stoss::first_maker(given),
-                           stoss::relaxes(given.first)};
+    const stoss::Solid solid = stoss::first_solid(given);
+    const stoss_body first{solid, given.first.rigid, stoss::first_maker(given),
+                           stoss::relaxation_of(given, given.first, solid)};
     stoss_contact made{stoss::refinable(given), first};
     if (const auto second = stoss::second_solid(given)) {
-      const bool relaxes = stoss::relaxes(given.against.kind == "same" ? given.first : given.against);
-      made.second = stoss_body{*second, given.against.rigid, stoss::second_maker(given), relaxes};
+      const stoss::Participant& its = given.against.kind == "same" ? given.first : given.against;
+      made.second = stoss_body{*second, given.against.rigid, stoss::second_maker(given),
+                               stoss::relaxation_of(given, its, *second)};
     }
     made.encounter = given;
     *contact = new stoss_contact(std::move(made));

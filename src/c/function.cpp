@@ -21,11 +21,10 @@ stoss::Beyond beyond_of(int number) {
 }
 
 stoss::SlowLaw law_of(const stoss_contact& contact) {
-  if (contact.first.relaxes || (contact.second && contact.second->relaxes)) {
-    throw stoss::InvalidInput::conflict("beyond", "the law of slow impacts knows no material that relaxes");
-  }
-  const auto second = contact.second ? std::optional(contact.second->value) : std::nullopt;
-  return stoss::slow_law(contact.first.value, second, contact.first.rigid, contact.second && contact.second->rigid);
+  const stoss_body& first = contact.first;
+  if (!contact.second) return stoss::slow_law(first.value, {}, {first.rigid, false, first.relaxation, {}});
+  const stoss_body& second = *contact.second;
+  return stoss::slow_law(first.value, second.value, {first.rigid, second.rigid, first.relaxation, second.relaxation});
 }
 
 void require_unexcited(const stoss_contact& contact) {

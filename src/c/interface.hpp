@@ -43,7 +43,7 @@ struct stoss_body {
   stoss::Solid value;
   bool rigid = false;
   stoss::BodyMaker maker;
-  bool relaxes = false;  ///< otherwise than by a loss time
+  stoss::Relaxation relaxation{};  ///< times in the unit of loss times
 };
 
 struct stoss_contact {

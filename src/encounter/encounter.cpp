@@ -67,11 +67,6 @@ auto with_given_loss_time(const Participant& of, const Compute& compute) {
     if (error.name() != "loss_time" || error.got().empty() || !(given > 0.0) || std::isinf(given)) throw;
     if (layers_differ(of)) throw;
     const double most = 1e5 * given / std::stod(error.got());
-    if (!of.material_name.empty() && !of.values.contains("loss_time")) {
-      throw InvalidInput::out_of_range("material", of.material_name + ", whose loss time is " + rounded(given) + " s",
-                                       "up to " + shown_most(most) + " s of bodies so small",
-                                       "1e5 R/c; give a loss_time, or larger bodies");
-    }
     throw InvalidInput::out_of_range(
         "loss_time", shown(given),
         "0 to " + shown_most(most) + " (eta of stress = (1 + eta d/dt) elastic stress; 1e5 R/c of the body)");

@@ -3,6 +3,7 @@
 #include <string>
 #include <variant>
 
+#include "encounter/participant.hpp"
 #include "stoss/encounter/relaxing.hpp"
 #include "stoss/errors.hpp"
 
@@ -25,7 +26,8 @@ Mixture mixture(const Encounter& encounter) {
       "elastic disks or spheres that meet each other");
 }
 
-SlowLaw slow_law(const Solid& first, const std::optional<Solid>& second, bool rigid, bool second_rigid) {
+SlowLaw slow_law(const Solid& first, const std::optional<Solid>& second, const SlowSides& sides) {
+  const auto& [rigid, second_rigid, relaxation, second_relaxation] = sides;
   if (second_rigid) {
     throw InvalidInput::out_of_range("beyond", "law", "error or clamp", "there is none with a rigid second body");
   }
@@ -34,6 +36,16 @@ SlowLaw slow_law(const Solid& first, const std::optional<Solid>& second, bool ri
   const auto* block = second ? std::get_if<HalfSpace>(&*second) : nullptr;
   const auto* other_ball = second ? std::get_if<Sphere>(&*second) : nullptr;
   const auto* other_disk = second ? std::get_if<Disk>(&*second) : nullptr;
+  if (!relaxation.terms.empty() || !second_relaxation.terms.empty()) {
+    if (!rigid && ball != nullptr && !second) return slow_law(*ball, relaxation);
+    if (!rigid && ball != nullptr && other_ball != nullptr && relaxation == second_relaxation) {
+      return slow_law(*ball, *other_ball, relaxation);
+    }
+    throw InvalidInput::conflict("relaxation",
+                                 "the law of slow impacts knows materials that relax of a sphere at a wall or against "
+                                 "its equal only",
+                                 "give a loss_time; 0: no loss");
+  }
   if (ball != nullptr && block != nullptr) return slow_law(*ball, *block, rigid);
   if (!rigid && ball != nullptr && !second) return slow_law(*ball);
   if (!rigid && disk != nullptr && !second) return slow_law(*disk);
@@ -45,8 +57,13 @@ SlowLaw slow_law(const Solid& first, const std::optional<Solid>& second, bool ri
 
 SlowLaw slow_law(const Encounter& encounter) {
   validate(encounter);
-  refuse_relaxing(encounter, "the law of slow impacts");
-  return slow_law(first_solid(encounter), second_solid(encounter), encounter.first.rigid, encounter.against.rigid);
+  const Participant& met = encounter.against.kind == "same" ? encounter.first : encounter.against;
+  const Solid first = first_solid(encounter);
+  const std::optional<Solid> second = second_solid(encounter);
+  SlowSides sides{encounter.first.rigid, encounter.against.rigid};
+  sides.relaxation = relaxation_of(encounter, encounter.first, first);
+  if (second) sides.second_relaxation = relaxation_of(encounter, met, *second);
+  return slow_law(first, second, sides);
 }
 
 }  // namespace stoss

@@ -21,11 +21,11 @@ constexpr double unknown = 0.0;
 /// A material without what only some know.
 NamedMaterial made(std::string_view name, const Material& material, double quality, std::string_view source,
                    double frequency = hard) {
-  NamedMaterial named{name, material, quality, frequency, source, {}, {}, {}, {}, false};
+  NamedMaterial named{name, material, source, {}, {}, {}, false};
   named.material.frequency = frequency;
-  if (quality != unknown) named.material.loss_time = loss_time_of_quality(quality, frequency);
+  if (quality != unknown) named.material.quality = quality;
   named.uncertainties.young = 0.05, named.uncertainties.poisson = 0.05, named.uncertainties.density = 0.01;
-  if (quality != unknown) named.uncertainties.loss_time = 2.0;
+  if (quality != unknown) named.uncertainties.loss = 2.0;
   return named;
 }
 
@@ -48,8 +48,10 @@ NamedMaterial varying(NamedMaterial named, double young, double poisson, double 
   return named;
 }
 
+/// A material that has its spectrum: its modulus is E(0) then, and what is given the one at its frequency.
 NamedMaterial with_spectrum(NamedMaterial named, Relaxation spectrum) {
-  named.spectrum = std::move(spectrum);
+  named.material.young /= std::abs(modulus(spectrum, {0.0, named.material.frequency}));
+  named.material.relaxation = std::move(spectrum);
   return named;
 }
 
@@ -79,12 +81,6 @@ Relaxation of_damped_rubber() {
   constexpr double left = 0.999;
   for (RelaxationTerm& term : made.terms) term.share *= left / sum;
   return made;
-}
-
-/// A material that has its spectrum and no loss time: its modulus is E(0).
-NamedMaterial relaxing(NamedMaterial named, Relaxation spectrum) {
-  named.material.relaxation = named.spectrum = std::move(spectrum);
-  return named;
 }
 
 /// What cracks, roughness, frost and water let lose far more than waves and the sound material do
@@ -120,11 +116,11 @@ const std::vector<NamedMaterial>& named_materials() {
                                 soft),
                            1.0, 0.01, 0.1),
                    0.035, 0.5, "order of magnitude of polymers in air"),
-      relaxing(
-          varying(made("damped rubber", {6e8, 0.49, 1000.0}, unknown,
-                       "rubber near its glass transition, as polynorbornene or butyl, idealised: E(0); the modulus "
-                       "grows as the root of the frequency from 1 Hz on, with a tan delta of 1, and is 10 MPa at "
-                       "500 Hz, an order of magnitude",
+      with_spectrum(
+          varying(made("damped rubber", {1e7, 0.49, 1000.0}, unknown,
+                       "rubber near its glass transition, as polynorbornene or butyl, idealised: its modulus grows as "
+                       "the root of the frequency from 1 Hz on, with a tan delta of 1, and is 10 MPa at 500 Hz, an "
+                       "order of magnitude",
                        soft),
                   2.0, 0.01, 0.1),
           of_damped_rubber()),
@@ -167,7 +163,7 @@ const std::vector<NamedMaterial>& named_materials() {
       with_spectrum(
           varying(
               made(
-                  "PVB", {5.7e8, 0.45, 1070.0}, 12.0,
+                  "PVB", {5.7e8, 0.45, 1070.0}, unknown,
                   "interlayer of laminated glass, at 10 kHz and 20 C: Van Duser et al., J. Eng. Mech. 125, 435 (1999); "
                   "softens with heat and time"),
               0.3, 0.05, 0.01),
@@ -202,19 +198,6 @@ const NamedMaterial& material_of_the_list(std::string_view name) {
   throw InvalidInput::out_of_range(
       "material", in_quotes(name),
       names + ", or numbers of your own" + (similar.empty() ? "" : ", did you mean " + similar + "?"));
-}
-
-Material relaxing_material(const NamedMaterial& named) {
-  Material made = named.material;
-  if (made.relaxation) return made;
-  if (named.spectrum.terms.empty()) {
-    if (named.quality > 0.0) made.quality = named.quality;
-  } else {
-    made.young /= std::abs(modulus(named.spectrum, {0.0, named.frequency}));
-    made.relaxation = named.spectrum;
-  }
-  if (made.quality || made.relaxation) made.loss_time.reset();
-  return made;
 }
 
 }  // namespace stoss

@@ -133,11 +133,6 @@ const NamedMaterial* named_of(const Participant& of) {
   return nullptr;
 }
 
-double quality_of(const Participant& of) {
-  const NamedMaterial* its = named_of(of);
-  return its == nullptr || of.values.contains("loss_time") || relaxes(of) ? 0.0 : its->quality;
-}
-
 double softness_of(const Participant& of) {
   const Material& its = *of.material;
   return of.rigid ? 0.0 : (1.0 - its.poisson * its.poisson) / its.young;

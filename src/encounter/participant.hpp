@@ -43,10 +43,6 @@ auto with_prefix_against(Make make) {
 [[nodiscard]] std::vector<MaterialLoss> layer_losses(const Encounter& encounter, const Participant& of,
                                                      const Solid& plate);
 
-/// Q of a named material, the same at all frequencies; 0 where the body loses energy in a way of its own or none is
-/// known.
-[[nodiscard]] double quality_of(const Participant& of);
-
 /// (1 − ν²)/E of a body with a material, 1/Pa; 0 of a rigid one.
 [[nodiscard]] double softness_of(const Participant& of);
 

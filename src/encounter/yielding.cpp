@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "encounter/participant.hpp"
 #include "stoss/encounter/encounter.hpp"
@@ -63,6 +65,12 @@ std::string yield_warning(const Encounter& encounter, double speed) {
   return "the " + weaker_of(encounter) + " yields above " + rounded_to(3, *onset) + " m/s (you asked for " +
          rounded_to(4, speed) + " m/s, " + times(ratio) + " times that): the real rebound is " +
          (ratio > well_beyond ? "much " : "") + "lower; use stoss predict";
+}
+
+std::vector<std::string> material_warnings(const Encounter& encounter, double fastest) {
+  std::vector<std::string> all = sound_warnings(encounter);
+  if (std::string line = yield_warning(encounter, fastest); !line.empty()) all.insert(all.begin(), std::move(line));
+  return all;
 }
 
 }  // namespace stoss

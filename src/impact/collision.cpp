@@ -169,13 +169,14 @@ Impact Collision::result() const {
   impact.restitution = -velocity() / initial_velocity_;
   impact.lost_fraction = 1.0 - impact.restitution * impact.restitution;
   history_.fill(contact_, initial_velocity_, velocity(), impact);
-  impact.final_state = state();
+  const KeptModes rings = modes_.ringing();
+  impact.final_state = {compression() - contact_.extent, velocity(), rings.coordinate(), rings.momentum()};
 
   EnergyLedger& ledger = impact.energy;
   ledger.translation = translation() / initial_energy_;
   ledger.unresolved = response_->unresolved_energy() / initial_energy_;
   ledger.stored = response_->stored_energy() / initial_energy_;
-  const std::vector<double> after = modes_.energies();
+  const std::vector<double> after = modes_.energies(), ringing = rings.energies();
   const std::vector<double> during = modes_.accumulated_energy();
   const double samples = history_.samples();
   ledger.modes.reserve(after.size());
@@ -185,16 +186,20 @@ Impact Collision::result() const {
     for (std::size_t l = 0; l < group.omega.size(); ++l, ++k) {
       const int index = group.index.empty() ? static_cast<int>(l) : group.index[l];
       const double before = energy_before_.empty() ? 0.0 : energy_before_[k] / initial_energy_;
-      const double share = after[k] / initial_energy_;
+      const double share = ringing[k] / initial_energy_, held = after[k] / initial_energy_ - share;
       ledger.modes.push_back({of_first ? 0 : 1, group.order, index, group.omega[l], before, share,
                               during[k] / (samples * initial_energy_)});
-      (of_first ? ledger.lost_to_first : ledger.lost_to_second) += share;
+      ledger.vibration += share, ledger.dissipated += held;
+      (of_first ? ledger.lost_to_first : ledger.lost_to_second) += share + held;
     }
   }
-  ledger.vibration = ledger.lost_to_first + ledger.lost_to_second;
   const auto [first, second] = dissipated();
-  ledger.dissipated = (first + second) / initial_energy_;
   const auto [relaxing, relaxing_second] = response_->relaxing_energy();
+  const auto becomes_heat = [](const Body* of) { return of != nullptr && !of->relaxation.terms.empty() ? 1.0 : 0.0; };
+  const double held =
+      becomes_heat(contact_.first.get()) * relaxing + becomes_heat(contact_.second.get()) * relaxing_second;
+  ledger.dissipated += (first + second + held) / initial_energy_;
+  ledger.stored -= held / initial_energy_;
   ledger.lost_to_first += (first + relaxing) / initial_energy_;
   ledger.lost_to_second += (second + relaxing_second) / initial_energy_;
   const double share = unresolved_share(contact_);

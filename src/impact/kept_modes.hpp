@@ -65,6 +65,9 @@ class KeptModes {
   /// Displacement of the first node by waves that run away, some time later in free motion.
   [[nodiscard]] double waves_later(double time) const;
 
+  /// The same without what materials that relax still hold: what swings on by itself.
+  [[nodiscard]] KeptModes ringing() const;
+
   [[nodiscard]] std::vector<double> coordinate() const;
   [[nodiscard]] std::vector<double> momentum() const;
   [[nodiscard]] std::vector<double> energies() const;            ///< of each mode

@@ -80,6 +80,16 @@ double KeptModes::energy_of_lossy(std::size_t group, std::size_t index) const {
          mode.energy(tables_->rates_of(group, index), a_[k], mode.frequency * b_[k], decaying, omega * kick(group, k));
 }
 
+KeptModes KeptModes::ringing() const {
+  KeptModes made = *this;
+  std::fill(made.decays_.begin(), made.decays_.end(), 0.0);
+  for (std::size_t k = 0; k < tables_->lossy.mode.size(); ++k) {
+    const LossyOscillator& mode = tables_->lossy.mode[k];
+    if (!mode.rate.empty() && mode.gamma >= mode.frequency) made.a_[k] = made.b_[k] = 0.0;  // it creeps
+  }
+  return made;
+}
+
 double KeptModes::dissipated(std::size_t begin, std::size_t end) const {
   double sum = 0.0;
   for (std::size_t g = begin; g < end && tables_->loses(); ++g) sum += lost_[g] + lost_now(g);

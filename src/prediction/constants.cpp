@@ -5,40 +5,68 @@
 
 #include "check.hpp"
 #include "encounter/participant.hpp"
-#include "prediction/touching.hpp"
-#include "quasistatic/lossy_motion.hpp"
 #include "stoss/encounter/materials.hpp"
+#include "stoss/encounter/relaxing.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::prediction {
 namespace {
 
+constexpr double least_quality = 3.0;  // of constant_quality
 constexpr Range range{0.0, 10.0, true, true, "0 to 10"};
 
 void multiply(std::optional<double>& number, double factor) {
   if (number) *number *= factor;
 }
 
-/// A constant of a material: what makes it larger, and whether an elastic or lossy impact feels it.
+/// Shares whose E_j are larger by a factor, E∞ being as it is: E″ is larger by the factor at all frequencies.
+void relax_more(Relaxation& its, double& young, double factor) {
+  double growth = 1.0;
+  for (const RelaxationTerm& term : its.terms) growth += (factor - 1.0) * term.share;
+  for (RelaxationTerm& term : its.terms) term.share *= factor / growth;
+  young *= growth;
+}
+
+/// 1/Q is larger by a factor, wherever it is given; a quality is no lower than there are such materials.
+void lose_more(Participant& of, double factor) {
+  Material& its = *of.material;
+  if (of.relaxation) relax_more(*of.relaxation, its.young, factor);
+  if (const auto own = of.values.find("loss_time"); own != of.values.end()) own->second *= factor;
+  if (const auto own = of.values.find("quality"); own != of.values.end() && own->second > 0.0) {
+    own->second = std::max(own->second / factor, least_quality);
+  }
+  if (its.loss_time) *its.loss_time *= factor;
+  if (its.quality) its.quality = std::max(*its.quality / factor, least_quality);
+  if (its.relaxation && !of.relaxation) relax_more(*its.relaxation, its.young, factor);
+  for (Participant& layer : of.below) {
+    lose_more(layer, factor);
+    layer.material_name.clear();
+  }
+}
+
+/// A constant of a material: what makes it larger, and whether it belongs to the computed channels.
 struct Constant {
   std::string_view name;
   double Uncertainties::*known;
-  std::function<void(Material&, double factor)> enlarge;
-  bool elastic;
+  std::function<void(Participant&, double factor)> enlarge;
+  bool computed;
 };
 
 const std::vector<Constant>& constants() {
   static const std::vector<Constant> all{
-      {"young", &Uncertainties::young, [](Material& its, double factor) { its.young *= factor; }, true},
+      {"young", &Uncertainties::young, [](Participant& its, double factor) { its.material->young *= factor; }, true},
       {"poisson", &Uncertainties::poisson,
-       [](Material& its, double factor) { its.poisson = std::min(its.poisson * factor, 0.4999); }, true},
-      {"density", &Uncertainties::density, [](Material& its, double factor) { its.density *= factor; }, true},
-      {"loss_time", &Uncertainties::loss_time, [](Material& its, double factor) { multiply(its.loss_time, factor); },
-       false},
+       [](Participant& its, double factor) {
+         its.material->poisson = std::min(its.material->poisson * factor, 0.4999);
+       },
+       true},
+      {"density", &Uncertainties::density, [](Participant& its, double factor) { its.material->density *= factor; },
+       true},
+      {"loss", &Uncertainties::loss, [](Participant& its, double factor) { lose_more(its, factor); }, true},
       {"yield_strength", &Uncertainties::yield_strength,
-       [](Material& its, double factor) { multiply(its.yield_strength, factor); }, false},
+       [](Participant& its, double factor) { multiply(its.material->yield_strength, factor); }, false},
       {"surface_energy", &Uncertainties::surface_energy,
-       [](Material& its, double factor) { multiply(its.surface_energy, factor); }, false},
+       [](Participant& its, double factor) { multiply(its.material->surface_energy, factor); }, false},
   };
   return all;
 }
@@ -48,20 +76,11 @@ Uncertainties known_of(const Participant& of) {
   return its != nullptr ? its->uncertainties : Uncertainties{};
 }
 
-/// By what the loss time of a slow impact is larger where the material loses more by a factor.
-double larger_loss_time(const Participant& of, double factor) {
-  const double quality = quality_of(of);
-  return quality == 0.0
-             ? factor
-             : quasistatic::loss_number_of_quality(quality / factor) / quasistatic::loss_number_of_quality(quality);
-}
+bool loses_energy(const Participant& of) { return losses_of(of) != Losses{.frequency = losses_of(of).frequency}; }
 
-/// What a body adds to the loss in the material of slow contacts: its softness times its loss time.
-double loss_of(const Participant& of) { return of.material ? softness_of(of) * loss_time_of(of) : 0.0; }
-
-/// Layers of a plate keep theirs: only the top one varies.
+/// Layers of a plate keep theirs, but for the loss: only the top one varies.
 Participant enlarged(Participant of, const Constant& constant, double factor) {
-  constant.enlarge(*of.material, factor);
+  constant.enlarge(of, factor);
   of.material_name.clear();
   return of;
 }
@@ -92,25 +111,9 @@ void require_names(const Encounter& encounter, const PredictionOptions& options)
 
 }  // namespace
 
-Encounter at_speed(const Encounter& encounter, double time) {
-  Encounter made = encounter;
-  for (Participant* each : {&made.first, &made.against}) {
-    const double quality = quality_of(*each);
-    if (quality == 0.0) continue;
-    each->material->loss_time = quasistatic::loss_number_of_quality(quality) / 1.5 * time;
-    for (Participant& layer : each->below) {  // of one material, as all layers share a loss time
-      layer.material->loss_time = each->material->loss_time;
-      layer.material_name.clear();
-    }
-    each->material_name.clear();
-  }
-  return made;
-}
-
-std::vector<Variant> variants(const Encounter& encounter, const Encounter& at, const PredictionOptions& options) {
+std::vector<Variant> variants(const Encounter& encounter, const PredictionOptions& options) {
   require_names(encounter, options);
   std::vector<Variant> made;
-  const double of_all = loss_of(at.first) * (at.against.kind == "same" ? 2.0 : 1.0) + loss_of(at.against);
   const auto uncertainty_of = [&](const std::string& name, double otherwise) {
     const auto given = options.uncertainties.find(name);
     return given == options.uncertainties.end() ? otherwise : given->second;
@@ -122,21 +125,15 @@ std::vector<Variant> variants(const Encounter& encounter, const Encounter& at, c
       const std::string name = before + std::string(each.name);
       const double uncertainty = uncertainty_of(name, known.*each.known);
       if (uncertainty == 0.0) continue;
-      Variant variant{name, uncertainty, at, options.work_of_adhesion, each.elastic};
-      if (each.name == "loss_time") {
-        if (of_all == 0.0) continue;
-        const double share = loss_of(at.*side) / of_all;
-        const double more = larger_loss_time(encounter.*side, 1.0 + uncertainty) - 1.0;
-        variant.material_factor += more * share * (at.against.kind == "same" ? 2.0 : 1.0);
-      } else {
-        variant.encounter.*side = enlarged(at.*side, each, 1.0 + uncertainty);
-        // Of two alike the weaker one is no other: both are what they are made of.
-        const bool alike =
-            !encounter.first.material_name.empty() && encounter.first.material_name == encounter.against.material_name;
-        if (alike && each.name == "yield_strength") {
-          if (!before.empty()) continue;
-          variant.encounter.against = enlarged(at.against, each, 1.0 + uncertainty);
-        }
+      if (each.name == "loss" && !loses_energy(encounter.*side)) continue;
+      Variant variant{name, uncertainty, encounter, options.work_of_adhesion, each.computed};
+      variant.encounter.*side = enlarged(encounter.*side, each, 1.0 + uncertainty);
+      // Of two alike the weaker one is no other: both are what they are made of.
+      const bool alike =
+          !encounter.first.material_name.empty() && encounter.first.material_name == encounter.against.material_name;
+      if (alike && each.name == "yield_strength") {
+        if (!before.empty()) continue;
+        variant.encounter.against = enlarged(encounter.against, each, 1.0 + uncertainty);
       }
       made.push_back(std::move(variant));
     }
@@ -145,7 +142,7 @@ std::vector<Variant> variants(const Encounter& encounter, const Encounter& at, c
   add(&Encounter::against, "against.");
   const double of_work = uncertainty_of("work_of_adhesion", 0.0);
   if (of_work > 0.0 && options.work_of_adhesion) {
-    made.push_back({"work_of_adhesion", of_work, at, *options.work_of_adhesion * (1.0 + of_work), false});
+    made.push_back({"work_of_adhesion", of_work, encounter, *options.work_of_adhesion * (1.0 + of_work), false});
   }
   return made;
 }

@@ -3,35 +3,43 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <optional>
 
 #include "check.hpp"
 #include "prediction/constants.hpp"
 #include "prediction/touching.hpp"
 #include "prediction/warnings.hpp"
 #include "restitution/ordered_jobs.hpp"
-#include "stoss/encounter/relaxing.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/curve.hpp"
 
 namespace stoss {
 namespace {
 
-using prediction::CalibratedImpact;
 using prediction::Computed;
 using prediction::PredictedImpact;
 using prediction::Touching;
 using prediction::Variant;
 using prediction::Waves;
+using prediction::WavyImpact;
 using quasistatic::YieldLaw;
 
 constexpr double gravity = 9.80665;  // m/s²
 
-Encounter without_loss(Encounter encounter) {
+/// With the moduli at a frequency, rad/s.
+Encounter without_loss(Encounter encounter, double frequency) {
   for (Participant* each : {&encounter.first, &encounter.against}) {
-    each->values.erase("loss_time");
-    if (each->material) each->material->loss_time = 0.0;
-    for (Participant& layer : each->below) layer.material->loss_time = 0.0;
-    each->material_name.clear();
+    if (!each->material) continue;
+    const double stiffer = prediction::stiffer(*each, frequency);
+    for (const char* loss : {"loss_time", "quality"}) each->values.erase(loss);
+    each->relaxation.reset(), each->material_name.clear();
+    const auto strip = [stiffer](Material& its) {
+      its.loss_time.reset(), its.quality.reset(), its.relaxation.reset();
+      its.young *= stiffer;
+    };
+    strip(*each->material);
+    for (Participant& layer : each->below) strip(*layer.material), layer.material_name.clear();
   }
   return encounter;
 }
@@ -43,11 +51,11 @@ Restitution computed_impact(const Encounter& encounter, double speed, double tol
                           {.tolerance = tolerance, .absolute = small, .poll = poll});
 }
 
-/// Its channels. @param rings,radiates what they take of the waves, in any unit
-Computed channels(const Restitution& its, double rings, double radiates) {
+/// Its channels. @param rings,radiates what they take of the waves, in any unit @param time unit of time, s
+Computed channels(const Restitution& its, double rings, double radiates, double time) {
   const double waves = std::max(its.lost_fraction.value - its.dissipated, 0.0);
   const double sum = rings + radiates, radiated = sum > 0.0 ? waves * radiates / sum : 0.0;
-  return {its.restitution.value, waves - radiated, radiated, its.dissipated};
+  return {its.restitution.value, waves - radiated, radiated, its.contact_time.value * time};
 }
 
 /// One speed, with all that it needs.
@@ -55,14 +63,14 @@ class PredictionAtSpeed {
  public:
   PredictionAtSpeed(const Encounter& given, const Thresholds& limits, double speed, const PredictionOptions& options,
                     const Poll& poll)
-      : given_(given),
+      : encounter_(given),
         limits_(limits),
         speed_(speed),
         options_(options),
         poll_(poll),
-        encounter_(prediction::at_speed(given, prediction::touching(given, options.work_of_adhesion).time(speed))),
-        touching_(prediction::touching(encounter_, options.work_of_adhesion)),
-        impact_(computed_impact(encounter_, speed, options.tolerance, poll)),
+        unit_(si_scales(given)->time),
+        impact_(computed_impact(given, speed, options.tolerance, poll)),
+        touching_(prediction::touching(given, options.work_of_adhesion, frequency())),
         computed_(computed_channels()) {}
 
   [[nodiscard]] Prediction predicted() const {
@@ -80,7 +88,7 @@ class PredictionAtSpeed {
       add_models(made);
       if (options_.influences) add_influences(made);
     }
-    made.warnings = prediction::warnings(given_, limits_, impact_, made);
+    made.warnings = prediction::warnings(encounter_, limits_, impact_, made);
     return made;
   }
 
@@ -88,18 +96,24 @@ class PredictionAtSpeed {
   [[nodiscard]] Computed computed_channels() const {
     const Kind& met = kind(encounter_.against.kind);
     const bool failed = impact_.runs.empty();  // all is NaN
-    if (met.wall || met.bounded || failed) return channels(impact_, 1.0, 0.0);
-    if (impact_.dissipated == 0.0) return channels(impact_, impact_.lost_to_first, impact_.lost_to_second);
+    if (met.wall || met.bounded || failed) return channels(impact_, 1.0, 0.0, unit_);
+    if (impact_.dissipated == 0.0) return channels(impact_, impact_.lost_to_first, impact_.lost_to_second, unit_);
     // As the bodies without loss share them, since heat counts with each. A long contact needs so many modes of the
     // block that one coarse impact must do: hardly anything rings then.
     constexpr double roughly = 0.1, longest = 100.0;
-    const Encounter lossless = without_loss(encounter_);
+    const Encounter lossless = without_loss(encounter_, *frequency());
     if (duration() <= longest) {
       const Restitution parts = computed_impact(lossless, speed_, roughly, poll_);
-      return channels(impact_, parts.lost_to_first, parts.lost_to_second);
+      return channels(impact_, parts.lost_to_first, parts.lost_to_second, unit_);
     }
     const EnergyLedger its = impact_at(lossless, impact_.runs.front().cutoff).energy;
-    return channels(impact_, std::max(its.lost_to_first - its.unresolved, 0.0), its.lost_to_second);
+    return channels(impact_, std::max(its.lost_to_first - its.unresolved, 0.0), its.lost_to_second, unit_);
+  }
+
+  /// At which the contact asks for moduli: half a period of it is the time of contact.
+  [[nodiscard]] std::optional<double> frequency() const {
+    const double time = duration() * unit_;
+    return std::isfinite(time) && time > 0.0 ? std::optional(std::numbers::pi / time) : std::nullopt;
   }
 
   /// Of the contact, R/c of the ball.
@@ -117,7 +131,7 @@ class PredictionAtSpeed {
   [[nodiscard]] Waves waves() const { return touching_.sheet ? Waves::of_force : Waves::of_rate; }
 
   void add_models(Prediction& made) const {
-    const CalibratedImpact motion(computed_, waves());
+    const WavyImpact motion(computed_, waves());
     const PredictedImpact whole = motion.with(touching_, speed_);
     const Estimate& alone = made.without_models;
     made.restitution = {whole.restitution,
@@ -132,7 +146,7 @@ class PredictionAtSpeed {
 
   /// How far models are from their ε: other published laws of yield and what the own one leaves open, how far adhesion
   /// is that of Johnson, Kendall and Roberts, and how a plate answers.
-  void spread(const CalibratedImpact& motion, Prediction& made) const {
+  void spread(const WavyImpact& motion, Prediction& made) const {
     const double its = made.restitution.value;
     made.models_low = made.models_high = its;
     const auto take = [&made](double other) {
@@ -159,7 +173,7 @@ class PredictionAtSpeed {
       smooth.work_of_adhesion = 0.0;
       take(its + (1.0 - share) * (motion.with(smooth, speed_).restitution - its));
     }
-    if (touching_.sheet) take(CalibratedImpact(computed_, Waves::of_rate).with(touching_, speed_).restitution);
+    if (touching_.sheet) take(WavyImpact(computed_, Waves::of_rate).with(touching_, speed_).restitution);
     made.by_models = std::max(its - made.models_low, made.models_high - its);
   }
 
@@ -181,16 +195,16 @@ class PredictionAtSpeed {
     const Impact its = impact_at(encounter, coarse.cutoff);
     const double lost = impact_.lost_fraction.value + its.lost_fraction - coarse.lost_fraction;
     const double material = impact_.dissipated + its.energy.dissipated - coarse.dissipated;
-    return {std::sqrt(std::max(1.0 - lost, 0.0)), std::max(lost - material, 0.0), 0.0, material};
+    return {std::sqrt(std::max(1.0 - lost, 0.0)), std::max(lost - material, 0.0)};
   }
 
   void add_influences(Prediction& made) const {
     double square = 0.0;
     const Run as_here = coarse();
-    for (const Variant& variant : prediction::variants(given_, encounter_, options_)) {
-      const Computed computed = variant.elastic ? computed_of(variant.encounter, as_here) : computed_;
-      const Touching its = prediction::touching(variant.encounter, variant.work_of_adhesion);
-      const CalibratedImpact motion(computed, waves(), variant.material_factor);
+    for (const Variant& variant : prediction::variants(encounter_, options_)) {
+      const Computed computed = variant.computed ? computed_of(variant.encounter, as_here) : computed_;
+      const Touching its = prediction::touching(variant.encounter, variant.work_of_adhesion, frequency());
+      const WavyImpact motion(computed, waves());
       const double change = motion.with(its, speed_).restitution - made.restitution.value;
       made.influences.push_back({variant.constant, variant.uncertainty, change});
       square += change * change;
@@ -201,14 +215,14 @@ class PredictionAtSpeed {
     made.by_constants = std::sqrt(square);
   }
 
-  const Encounter& given_;
+  const Encounter& encounter_;
   const Thresholds& limits_;
   double speed_;
   const PredictionOptions& options_;
   const Poll& poll_;
-  Encounter encounter_;
-  Touching touching_;
+  double unit_;  ///< R/c of the ball, s
   Restitution impact_;
+  Touching touching_;
   Computed computed_;
 };
 
@@ -221,9 +235,8 @@ double speed_of_drop(double height) {
 
 std::vector<Prediction> predict(const Encounter& encounter, const std::vector<double>& speeds,
                                 const PredictionOptions& options) {
-  refuse_relaxing(encounter, "predict");
   const Thresholds limits = thresholds(encounter, options);
-  (void)prediction::variants(encounter, encounter, options);  // refuses what is no constant
+  (void)prediction::variants(encounter, options);  // refuses what is no constant
   require_tolerance(options.tolerance, 0.0);
   require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
   for (const double speed : speeds) (void)speed_in_c(encounter, speed);

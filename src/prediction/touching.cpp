@@ -22,14 +22,14 @@ struct Side {
   std::optional<double> yield_strength{}, surface_energy{};
 };
 
-Side side_of(const Participant& of) {
+Side side_of(const Participant& of, std::optional<double> frequency) {
   Side side;
   const Material& material = *of.material;
   const double radius = given_or(of, "radius", std::numeric_limits<double>::infinity());
   side.curvature = 1.0 / radius;
   side.inverse_mass = 3.0 / (4.0 * pi * material.density) * std::pow(side.curvature, 3);
   side.surface_energy = material.surface_energy;
-  side.softness = softness_of(of);
+  side.softness = softness_of(of) / stiffer(of, frequency.value_or(losses_of(of).frequency));
   if (!of.rigid) side.yield_strength = material.yield_strength;
   return side;
 }
@@ -45,6 +45,13 @@ double work_between(const Side& one, const Side& other) {
 }
 
 }  // namespace
+
+double stiffer(const Participant& of, double frequency) {
+  const Losses its = losses_of(of);
+  if (!its.relaxation.terms.empty()) return std::abs(modulus(its.relaxation, {0.0, frequency}));
+  if (its.quality == 0.0) return 1.0;
+  return std::pow(frequency / its.frequency, 2.0 / pi * std::atan(1.0 / its.quality));
+}
 
 double Touching::time(double speed) const {
   const double stiffness = 4.0 / (3.0 * pair.softness * std::sqrt(pair.curvature));
@@ -83,7 +90,7 @@ double speed_of_impression(const Touching& touching) {
   return *touching.yield_speed * std::sqrt(2.5 * loading_work(YieldLaw::finite_elements, low));
 }
 
-Touching touching(const Encounter& encounter, std::optional<double> work_of_adhesion) {
+Touching touching(const Encounter& encounter, std::optional<double> work_of_adhesion, std::optional<double> frequency) {
   validate(encounter);
   const Participant& ball = encounter.first;
   const Participant& met = encounter.against;
@@ -95,11 +102,11 @@ Touching touching(const Encounter& encounter, std::optional<double> work_of_adhe
   if (met.kind == "exponential" || met.modal) {
     throw InvalidInput::out_of_range("against", met.kind, "wall, same, sphere, half-space or plate");
   }
-  const Side one = side_of(ball);
+  const Side one = side_of(ball, frequency);
   Side other;
   if (met.kind == "same") other = one;
   if (met.kind == "wall") other.surface_energy = one.surface_energy;
-  if (met.material) other = side_of(met);
+  if (met.material) other = side_of(met, frequency);
   Touching made;
   made.pair = {one.curvature + other.curvature, one.softness + other.softness};
   made.mass = 1.0 / (one.inverse_mass + other.inverse_mass);
@@ -123,54 +130,52 @@ double improved(double number, double asked, double got) {
   return std::min(number * std::clamp(asked / std::max(got, least), 1.0 / most_change, most_change), largest);
 }
 
-InelasticContact calibrated(double material, double waves, Waves form) {
+/// The motion in which waves take that share.
+InelasticContact radiating(double share, Waves form) {
   constexpr double accuracy = 1e-8, rounding = 1e-10;
   constexpr int most_rounds = 60;
   InelasticContact made;
-  double& wave_number = form == Waves::of_force ? made.mobility : made.radiation;
-  made.loss_time = material / 3.46;  // first orders
-  wave_number = waves / 3.0;
+  if (share <= 0.0) return made;
+  double& number = form == Waves::of_force ? made.mobility : made.radiation;
+  number = share / 3.0;  // first order
   for (int i = 0; i < most_rounds; ++i) {
-    const InelasticImpact got = inelastic_impact(made);
-    const double miss = std::max(std::abs(got.material - material), std::abs(got.waves - waves));
-    if (miss <= accuracy * (material + waves) + rounding) break;
-    if (material > 0.0) made.loss_time = improved(made.loss_time, material, got.material);
-    if (waves > 0.0) wave_number = improved(wave_number, waves, got.waves);
+    const double got = inelastic_impact(made).waves;
+    if (std::abs(got - share) <= accuracy * share + rounding) break;
+    number = improved(number, share, got);
   }
   return made;
 }
 
 }  // namespace
 
-CalibratedImpact::CalibratedImpact(const Computed& computed, Waves waves, double material_factor)
-    : computed_(computed),
-      lossy_(calibrated(std::max(computed.material, 0.0), std::max(computed.waves(), 0.0), waves)) {
-  const double alone = inelastic_impact(lossy_).restitution;
-  correction_ = alone > 0.0 ? computed.restitution / alone : 0.0;
-  lossy_.loss_time *= material_factor;
+WavyImpact::WavyImpact(const Computed& computed, Waves form)
+    : computed_(computed), contact_(radiating(std::max(computed.waves(), 0.0), form)) {
+  const InelasticImpact alone = inelastic_impact(contact_);
+  const double left = 1.0 - alone.waves;
+  returned_ = left > 0.0 ? std::min(computed.restitution * computed.restitution / left, 1.0) : 0.0;
+  time_ = alone.contact_time;
 }
 
-PredictedImpact CalibratedImpact::with(const Touching& touching, double speed, quasistatic::YieldLaw law) const {
+PredictedImpact WavyImpact::with(const Touching& touching, double speed, quasistatic::YieldLaw law) const {
   InelasticContact all = touching.contact(speed);
   all.yield_law = law;
-  all.loss_time = lossy_.loss_time, all.radiation = lossy_.radiation, all.mobility = lossy_.mobility;
+  all.radiation = contact_.radiation, all.mobility = contact_.mobility;
   InelasticImpact together = inelastic_impact(all);
-  PredictedImpact made;
-  made.time = together.contact_time * touching.time(speed);
-  // Of bodies that stick, adhesion has what they would have left with.
-  const bool sticks = together.sticks;
-  if (sticks) {
+  const double time = together.contact_time;
+  const auto returned = [&] { return (1.0 - together.waves - together.yield) * returned_; };
+  const bool sticks = together.sticks || returned() <= together.adhesion;
+  if (together.sticks) {  // adhesion has what they would have left with
     all.adhesion = 0.0;
     together = inelastic_impact(all);
   }
-  const double left = std::min(together.restitution * correction_, 1.0);
-  const double lost = 1.0 - together.restitution * together.restitution;
-  const double factor = lost > 0.0 ? (1.0 - left * left) / lost : 0.0;
+  const double stored = 1.0 - together.waves - together.yield;
   const double ringing = computed_.waves() > 0.0 ? computed_.ringing / computed_.waves() : 0.0;
-  made.restitution = sticks ? 0.0 : left;
-  made.shares = {together.waves * ringing * factor, together.waves * (1.0 - ringing) * factor,
-                 std::max(together.material, 0.0) * factor, std::max(together.yield, 0.0) * factor,
-                 sticks ? left * left : together.adhesion * factor};
+  PredictedImpact made;
+  made.time = sticks ? std::numeric_limits<double>::infinity() : computed_.time * time / time_;
+  const double adhesion = sticks ? returned() : together.adhesion;
+  made.restitution = sticks ? 0.0 : std::sqrt(returned() - adhesion);
+  made.shares = {together.waves * ringing, together.waves * (1.0 - ringing), stored * (1.0 - returned_),
+                 std::max(together.yield, 0.0), adhesion};
   return made;
 }
 

@@ -27,7 +27,7 @@ struct Touching {
   /// Johnson, Kendall and Roberts have it, below 0.1 as Derjaguin, Muller and Toporov, who have no jump and no loss.
   [[nodiscard]] double tabor_number() const;
 
-  /// The models at a speed; loss time, radiation and mobility are not set.
+  /// The models at a speed; radiation and mobility are not set.
   [[nodiscard]] quasistatic::InelasticContact contact(double speed) const;
 };
 
@@ -35,13 +35,19 @@ struct Touching {
 /// more above.
 [[nodiscard]] double speed_of_impression(const Touching& touching);
 
+/// |E(iω)| of a body with a material over the modulus that it has. @param frequency rad/s
+[[nodiscard]] double stiffer(const Participant& of, double frequency);
+
+/// @param frequency rad/s, at which materials that relax have their modulus; by itself that of each material
 /// @throws InvalidInput unless a sphere with a material meets what a ball can
-[[nodiscard]] Touching touching(const Encounter& encounter, std::optional<double> work_of_adhesion);
+[[nodiscard]] Touching touching(const Encounter& encounter, std::optional<double> work_of_adhesion,
+                                std::optional<double> frequency = {});
 
 /// What the computed channels take by themselves, as shares of the energy.
 struct Computed {
   double restitution = 1.0;  ///< ε
-  double ringing = 0.0, radiation = 0.0, material = 0.0;
+  double ringing = 0.0, radiation = 0.0;
+  double time = 0.0;  ///< of contact, s
 
   [[nodiscard]] double waves() const { return ringing + radiation; }
 };
@@ -56,21 +62,29 @@ struct PredictedImpact {
 /// How waves answer to the force: radiation to its rate, or, in a thin plate, a velocity to the force itself.
 enum class Waves { of_rate, of_force };
 
-/// The motion that without models loses what the computed channels do, to which models are added.
-class CalibratedImpact {
+/// The computed impact with models: a model of how all losses go together.
+///
+/// A motion of elastic bodies has the waves, matched by one number to those of the computed impact; yield and adhesion
+/// act in it, and take less from each other and from the waves than alone. Heat follows the elastic energy that the
+/// contact stores at its deepest, which waves and yield lessen: of this the materials take the same share as in the
+/// computed impact of what waves leave there. Adhesion asks for its work as the bodies part.
+///
+///   q = ε_c²/(1 − w_c),   ε² = (1 − w − y) q − a,   material (1 − w − y)(1 − q)
+///
+/// ε_c and w_c are computed, w, y and a of the motion. Without models ε is ε_c; the bodies stick where ε² is not above
+/// 0, and a is then what is left. The time of contact is the computed one times what models make of that of the motion.
+class WavyImpact {
  public:
-  /// @param material_factor times the loss in the material
-  CalibratedImpact(const Computed& computed, Waves waves, double material_factor = 1.0);
+  WavyImpact(const Computed& computed, Waves form);
 
-  /// With models: ε is that of the motion times what the computed one has over its own without models, 1 but where
-  /// nearly all is lost.
   [[nodiscard]] PredictedImpact with(const Touching& touching, double speed,
                                      quasistatic::YieldLaw law = quasistatic::YieldLaw::finite_elements) const;
 
  private:
   Computed computed_;
-  quasistatic::InelasticContact lossy_;
-  double correction_ = 1.0;
+  quasistatic::InelasticContact contact_;
+  double returned_ = 1.0;  ///< q
+  double time_ = 0.0;      ///< of the motion without models
 };
 
 }  // namespace stoss::prediction

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdio>
 
+#include "stoss/encounter/relaxing.hpp"
+
 namespace stoss::prediction {
 namespace {
 
@@ -14,7 +16,7 @@ std::string rounded(double number) {
 
 bool has_loss(const Participant& of) {
   return of.rigid || kind(of.kind).wall || of.values.contains("loss_time") ||
-         (of.material && of.material->loss_time.has_value());
+         (of.material && of.material->loss_time.has_value()) || relaxes(of);
 }
 
 bool has_strength(const Participant& of) {
@@ -41,7 +43,7 @@ std::vector<std::string> warnings(const Encounter& encounter, const Thresholds& 
   }
   for (const Participant* each : {&encounter.first, &encounter.against}) {
     const std::string who = each == &encounter.first ? "of the first body" : "of what it meets";
-    if (!has_loss(*each)) all.push_back("no loss time " + who + " is known: its material is taken to lose nothing");
+    if (!has_loss(*each)) all.push_back("no loss in the material " + who + " is known: it is taken to lose nothing");
     if (!has_strength(*each))
       all.push_back("no yield strength " + who + " is known: it is taken not to yield or break");
   }

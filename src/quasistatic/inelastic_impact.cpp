@@ -70,14 +70,14 @@ struct Phase {
 
   /// F of a state, with what it consists of.
   struct Acting {
-    double force, rate, adhesive, late, radiated;
+    double force, rate, adhesive, late;
   };
 
   [[nodiscard]] Acting acting(const MotionState& state) const {
     const double delta = state[0], u = state[1];
     const Force at = pressed(delta);
     const double extra = adhesive(delta);
-    const double lag = contact.loss_time + contact.radiation * at.stiffness;
+    const double lag = contact.radiation * at.stiffness;
     double force = 0.0;
     if (grows) {
       force = (at.value + extra + at.stiffness * lag * u) / (1.0 + contact.mobility * at.stiffness * lag);
@@ -85,9 +85,7 @@ struct Phase {
       force = shrinking(delta, u, lag, extra);
     }
     const double rate = u - contact.mobility * force;
-    const double late = force - extra - at.value;
-    const double radiated = lag > 0.0 ? late * contact.radiation * at.stiffness / lag : 0.0;
-    return {force, rate, extra, late, radiated};
+    return {force, rate, extra, force - extra - at.value};
   }
 
   /// F = P(δ + τ(u − αF)) + A: one root, as the right side falls with F.
@@ -106,7 +104,7 @@ struct Phase {
   void operator()(const MotionState& state, MotionState& slope, double) const {
     const Acting its = acting(state);
     slope = {its.rate, -its.force, its.adhesive * its.rate,
-             its.radiated * its.rate + contact.mobility * its.force * its.force};
+             its.late * its.rate + contact.mobility * its.force * its.force};
   }
 
   /// Positive until the phase ends.
@@ -114,7 +112,7 @@ struct Phase {
     const Acting its = acting(state);
     if (grows) return its.rate;
     if (contact.adhesion > 0.0) return state[0] - parting();
-    const double lag = contact.loss_time + contact.radiation * pressed(state[0]).stiffness;
+    const double lag = contact.radiation * pressed(state[0]).stiffness;
     return state[0] + lag * its.rate - residual();
   }
 
@@ -156,7 +154,6 @@ void require_contact(const InelasticContact& contact) {
   if (!(contact.yield_depth > 0.0)) {
     throw InvalidInput::out_of_range("yield_depth", shown(contact.yield_depth), "above 0, infinite without yield");
   }
-  require("loss_time", contact.loss_time, not_negative, "in units of the impact");
   require("radiation", contact.radiation, not_negative, "in units of the impact");
   require("mobility", contact.mobility, not_negative, "in units of the impact");
   require("adhesion", contact.adhesion, {0.0, 1e6, true, true, "0 to 1e6"}, "in units of the impact");
@@ -183,7 +180,6 @@ InelasticImpact inelastic_impact(const InelasticContact& contact) {
   made.yield = 2.0 * plastic;
   made.adhesion = 2.0 * end.state[2];
   made.waves = 2.0 * end.state[3];
-  made.material = 1.0 - made.restitution * made.restitution - made.yield - made.adhesion - made.waves;
   made.contact_time = sticks ? std::numeric_limits<double>::infinity() : end.time;
   made.max_force = end.max_force;
   made.max_compression = turn.state[0];

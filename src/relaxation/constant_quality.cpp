@@ -2,8 +2,11 @@
 #include "stoss/relaxation/constant_quality.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
+#include <cstddef>
+#include <map>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -46,14 +49,7 @@ double worst(const Relaxation& relaxation, double quality, const std::vector<dou
   return most;
 }
 
-}  // namespace
-
-Relaxation constant_quality(double quality, double lowest, double highest) {
-  require("quality", quality, {3.0, 1e9, true, true, "3 to 1e9"},
-          "Q, the same at all frequencies: steel has 1e3 to 1e4, rubber 5 to 20; a smaller one needs a relaxation");
-  constexpr Range any{1e-30, 1e30, true, true, "above 0, 1e-30 to 1e30"};
-  require("lowest", lowest, any, "of the band"), require("highest", highest, any, "of the band");
-  if (!(lowest < highest)) throw InvalidInput::out_of_range("highest", shown(highest), "above the lowest frequency");
+Relaxation made_for(double quality, double lowest, double highest) {
   const double decades = std::log10(highest / lowest);
   constexpr double in_decade = 12.0, margin = 2.0;
   const std::vector<double> band = spaced(lowest, highest, static_cast<int>(in_decade * decades) + 3);
@@ -65,6 +61,23 @@ Relaxation constant_quality(double quality, double lowest, double highest) {
   throw InvalidInput::out_of_range("highest", shown(highest) + " with a quality of " + shown(quality),
                                    "a band that " + std::to_string(most_relaxation_terms) + " terms cover",
                                    "from " + shown(lowest) + " on");
+}
+
+}  // namespace
+
+Relaxation constant_quality(double quality, double lowest, double highest) {
+  require("quality", quality, {3.0, 1e9, true, true, "3 to 1e9"},
+          "Q, the same at all frequencies: steel has 1e3 to 1e4, rubber 5 to 20; a smaller one needs a relaxation");
+  constexpr Range any{1e-30, 1e30, true, true, "above 0, 1e-30 to 1e30"};
+  require("lowest", lowest, any, "of the band"), require("highest", highest, any, "of the band");
+  if (!(lowest < highest)) throw InvalidInput::out_of_range("highest", shown(highest), "above the lowest frequency");
+  // An encounter asks for that of its two bodies again and again; it takes 2 ms.
+  constexpr std::size_t most = 64;
+  thread_local std::map<std::array<double, 3>, Relaxation> known;
+  const std::array asked{quality, lowest, highest};
+  if (const auto found = known.find(asked); found != known.end()) return found->second;
+  if (known.size() == most) known.clear();
+  return known.emplace(asked, made_for(quality, lowest, highest)).first->second;
 }
 
 double instantaneous(const Relaxation& relaxation, double quality, double frequency) {

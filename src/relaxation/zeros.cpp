@@ -4,6 +4,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace stoss {
@@ -90,6 +91,9 @@ class Interval {
     return upper_ == 0 ? near : at.down * near + at.up * at.rate * rates_.share[upper_ - 1];
   }
 
+  /// About how far below κ_j its term is as large as E(0).
+  [[nodiscard]] double balance() const { return rates_.share[upper_] * rates_.rate[upper_]; }
+
   [[nodiscard]] double slope(const Place& at) const {
     double sum = rates_.viscous;
     for (std::size_t i = 0; i < rates_.rate.size(); ++i) {
@@ -113,12 +117,30 @@ class Interval {
   double low_;
 };
 
+/// Where the pole κ_j of a weak term balances the others: by secants from it, which end after four steps or so.
+std::optional<Place> zero_near_pole(const Interval& interval, double half) {
+  constexpr int most_steps = 12;
+  constexpr double rounding = 1e-15;
+  double last = 0.0, value = interval.value(interval.from_high(0.0));
+  double now = std::min(interval.balance(), 0.5 * half);
+  for (int i = 0; i < most_steps; ++i) {
+    const double here = interval.value(interval.from_high(now)), step = here * (now - last) / (here - value);
+    last = now, value = here, now -= step;
+    if (!(now > 0.0 && now < half)) return std::nullopt;
+    if (std::abs(step) <= rounding * now) return interval.from_high(now);
+  }
+  return std::nullopt;
+}
+
 Place zero_of(const Interval& interval) {
   const double half = 0.5 * interval.width();
   const Place middle = interval.from_low(half);
   const double at_middle = interval.value(middle);
   if (at_middle == 0.0) return middle;
   const bool high = at_middle > 0.0;  // the value falls from the lower end to the upper one
+  if (high) {
+    if (const auto found = zero_near_pole(interval, half)) return *found;
+  }
   const auto place = [&](double distance) { return high ? interval.from_high(distance) : interval.from_low(distance); };
   const auto value = [&](double distance) { return interval.value(place(distance)); };
   const double at_end = value(0.0);

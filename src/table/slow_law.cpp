@@ -14,6 +14,7 @@
 #include "stoss/quasistatic/half_space_radiation.hpp"
 #include "stoss/quasistatic/point_lossy_impact.hpp"
 #include "stoss/quasistatic/rayleigh.hpp"
+#include "stoss/quasistatic/relaxing_impact.hpp"
 #include "stoss/quasistatic/slow_impact.hpp"
 
 namespace stoss {
@@ -58,9 +59,8 @@ double swing(double mean, double speed) {
   return mean * (1.0 + beyond * speed);
 }
 
-Estimate lossy_sphere(double poisson, double loss_time, double factor, double speed) {
-  const quasistatic::LossyContact contact{{1.0, 1.0 - poisson * poisson}, 4.0 * std::numbers::pi / 3.0, loss_time};
-  const double hertz = 1.0 - lossy_impact(quasistatic::LossyLaw::ting, contact, speed).restitution;
+/// @param hertz 1 − ε by the material alone, by Ting's law
+Estimate lossy_sphere(double hertz, double poisson, double factor, double speed) {
   const auto first_order = [&](PointLaw law) { return quasistatic::viscous_loss(law, poisson, 1.0, speed); };
   const double center = first_order(PointLaw::center) / first_order(PointLaw::hertz);
   const double viscous = hertz * center, mean = factor * speed;
@@ -86,15 +86,34 @@ InvalidInput no_law(const char* name, const char* what) {
 
 }  // namespace
 
+constexpr double ball_mass = 4.0 * std::numbers::pi / 3.0;
+
 SlowLaw slow_law(const Sphere& sphere) {
   (void)stoss::sphere(sphere);  // refuses what is out of range
   const double poisson = sphere.poisson, factor = loss_factor(poisson);
   const double loss_time = own_loss_time(sphere.loss_time, sphere.radius, sphere.young, sphere.density);
   return [=](double speed) -> Estimate {
     if (speed == 0.0) return {1.0, 0.0};
-    if (loss_time > 0.0) return lossy_sphere(poisson, loss_time, factor, speed);
+    if (loss_time > 0.0) {
+      const quasistatic::LossyContact contact{{1.0, 1.0 - poisson * poisson}, ball_mass, loss_time};
+      const double hertz = 1.0 - lossy_impact(quasistatic::LossyLaw::ting, contact, speed).restitution;
+      return lossy_sphere(hertz, poisson, factor, speed);
+    }
     const double mean = factor * speed;
     return of_loss(mean, swing(mean, speed));
+  };
+}
+
+SlowLaw slow_law(const Sphere& sphere, const Relaxation& relaxation) {
+  (void)stoss::sphere(sphere);
+  validate(relaxation);
+  const double poisson = sphere.poisson, factor = loss_factor(poisson);
+  const double own = own_loss_time(1.0, sphere.radius, sphere.young, sphere.density);
+  const quasistatic::RelaxingContact contact{
+      1.0, {{{1.0 - poisson * poisson, in_time(relaxation, own)}, {}}}, ball_mass};
+  return [=](double speed) -> Estimate {
+    if (speed == 0.0) return {1.0, 0.0};
+    return lossy_sphere(1.0 - relaxing_impact(contact, speed).restitution, poisson, factor, speed);
   };
 }
 
@@ -110,11 +129,11 @@ SlowLaw slow_law(const Disk& disk) {
   };
 }
 
-SlowLaw slow_law(const Sphere& first, const Sphere& second) {
+SlowLaw slow_law(const Sphere& first, const Sphere& second, const Relaxation& relaxation) {
   const bool equal = first.poisson == second.poisson && first.radius == second.radius && first.young == second.young &&
                      first.density == second.density && first.loss_time == second.loss_time;
   if (!equal) throw no_law("second", "another sphere");
-  return at_half_the_speed(slow_law(first));
+  return at_half_the_speed(relaxation.terms.empty() ? slow_law(first) : slow_law(first, relaxation));
 }
 
 SlowLaw slow_law(const Disk& first, const Disk& second) {

@@ -28,10 +28,16 @@ TEST(CRelaxation, IsThatOfADocument) {
       << stoss_message();
   EXPECT_LT(restitution(contact), 0.9);
   EXPECT_EQ(restitution(contact), restitution(document));
+  double slow[2] = {0.0, 0.0};
   for (const stoss_contact* each : {contact, document}) {
     stoss_function* function = nullptr;
-    EXPECT_EQ(stoss_function_make(each, 0.01, 0.1, 1e-2, STOSS_BEYOND_LAW, nullptr, &function), STOSS_INVALID_INPUT);
+    ASSERT_EQ(stoss_function_make(each, 0.01, 0.1, 1e-2, STOSS_BEYOND_LAW, nullptr, &function), STOSS_OK);
+    const double speed = 0.005;
+    EXPECT_EQ(stoss_function_evaluate(function, &speed, 1, &slow[each == contact ? 0 : 1], nullptr), STOSS_OK);
+    stoss_function_free(function);
   }
+  EXPECT_LT(slow[0], 0.9);
+  EXPECT_EQ(slow[0], slow[1]);
   stoss_body* again = nullptr;
   EXPECT_EQ(stoss_relaxing_make(body, shares.data(), times.data(), 2, &again), STOSS_INVALID_INPUT);
   EXPECT_EQ(stoss_relaxing_make(elastic, nullptr, times.data(), 2, &again), STOSS_INVALID_INPUT);

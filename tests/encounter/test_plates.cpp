@@ -9,6 +9,7 @@
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/laws.hpp"
 #include "stoss/encounter/materials.hpp"
+#include "stoss/encounter/relaxing.hpp"
 #include "stoss/encounter/waves.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/restitution.hpp"
@@ -62,7 +63,9 @@ TEST(Plates, MayHaveLayersOfWhichTheLastHasNoEnd) {
 }
 
 TEST(Plates, InSIAreRatiosToTheBall) {
-  const Plate pane = plate_of(steel_ball + laminated);
+  const std::string elastic =
+      R"({"first":{"kind":"sphere","radius":0.005,"loss_time":0,"material":"structural steel"},"against":)";
+  const Plate pane = plate_of(elastic + laminated);
   const Material &steel = named_material("structural steel"), &glass = named_material("glass"),
                  &pvb = named_material("PVB");
   EXPECT_DOUBLE_EQ(pane.thickness, 0.8);
@@ -75,12 +78,12 @@ TEST(Plates, InSIAreRatiosToTheBall) {
   EXPECT_DOUBLE_EQ(pane.below[1].young, glass.young / steel.young);
 }
 
-TEST(Plates, OfOneMaterialHaveItsLossTime) {
+TEST(Plates, OfOneMaterialHaveItsQuality) {
   const std::string document =
       R"({"kind":"plate","layers":[{"thickness":0.004,"material":"glass"},{"thickness":0.004,"material":"glass"}]}})";
   const Encounter drop = encounter_from_json(steel_ball + document);
-  EXPECT_DOUBLE_EQ(plate_of(steel_ball + document).loss_time,
-                   named_material("glass").loss_time.value() / si_scales(drop)->time);
+  EXPECT_EQ(losses_of(drop.against).quality, named_material("glass").quality);
+  EXPECT_EQ(plate_of(steel_ball + document).loss_time, 0.0);
 }
 
 std::string with_format(const std::string& document) {
@@ -157,12 +160,13 @@ TEST(Plates, HaveTheLossesOfTheirLayers) {
   ASSERT_EQ(plate.losses.size(), 3);
   EXPECT_EQ(plate.loss_time, 0.0);
   const double unit = si_scales(made)->time;
-  EXPECT_NEAR(plate.losses[0].loss_time * unit / named_material("glass").loss_time.value(), 1.0, 1e-12);
+  EXPECT_GT(plate.losses[0].relaxation.terms.size(), 4);
   ASSERT_EQ(plate.losses[1].relaxation.terms.size(), 1);
   EXPECT_NEAR(plate.losses[1].relaxation.terms[0].time * unit, 1e-5, 1e-15);
   EXPECT_GT(plate.losses[2].relaxation.terms.size(), 4);
   // E of a quality is that at a frequency, E(0) is more.
-  EXPECT_NEAR(plate.below[0].young / plate.young, 1.0 / 70.0, 1e-12);
+  EXPECT_LT(plate.below[0].young / plate.young, 1.0 / 70.0);
+  EXPECT_NEAR(plate.below[0].young / plate.young, 1.0 / 70.0, 1e-2 / 70.0);
   EXPECT_GT(plate.below[1].young / plate.below[0].young, 1.03);
   EXPECT_LT(plate.below[1].young / plate.below[0].young, 1.3);
   EXPECT_TRUE(losses(R"("loss_time":0,)").first.losses.empty());

@@ -125,10 +125,28 @@ TEST(RelaxingMaterial, IsRefusedInOneLine) {
             R"(against layers 1: got "relaxation", allowed only what is of one layer)");
 }
 
-TEST(RelaxingMaterial, HasNoLawsOfLossTimes) {
-  const Encounter ball = encounter_from_json(R"({"first":{"kind":"sphere","poisson":0.3,"quality":10}})");
-  EXPECT_EQ(test::message_of<InvalidInput>([&] { (void)slow_law(ball); }),
-            "quality: the law of slow impacts knows no material that relaxes (give a loss_time)");
+TEST(RelaxingMaterial, HasLawsOfSlowImpactsOfBallsOnly) {
+  const auto read = [](const std::string& kind, const std::string& against) {
+    return encounter_from_json(R"({"first":{"kind":")" + kind + R"(","poisson":0.3,"quality":10},"against":)" +
+                               against + "}");
+  };
+  const std::string equal = R"({"kind":"sphere","poisson":0.3,"quality":10})";
+  const double at_wall = slow_law(read("sphere", R"("wall")"))(1e-5).value;
+  EXPECT_NEAR(10.0 * (1.0 - at_wall * at_wall), 2.1747, 0.01 * 2.1747);
+  for (const std::string& met : {std::string(R"("same")"), equal}) {
+    EXPECT_EQ(slow_law(read("sphere", met))(2e-5).value, at_wall);
+  }
+  // A named material has one, in SI.
+  const Encounter glass = encounter_from_json(R"({"first":{"kind":"sphere","radius":1,"material":"glass"}})");
+  EXPECT_NEAR(1.0 - slow_law(glass)(1e-6).value, 0.5 * 2.4065e-3, 0.01 * 1.2e-3);
+  for (const Encounter& each : {read("disk", R"("wall")"), read("sphere", R"({"kind":"half-space"})"),
+                                read("sphere", R"({"kind":"sphere","quality":20})")}) {
+    EXPECT_EQ(test::message_of<InvalidInput>([&] { (void)slow_law(each); }),
+              "relaxation: the law of slow impacts knows materials that relax of a sphere at a wall or against its "
+              "equal only (give a loss_time; 0: no loss)");
+  }
+  EXPECT_EQ(test::message_of<InvalidInput>([&] { (void)mixture(read("sphere", equal)); }),
+            "quality: a table of pairs knows no material that relaxes (give a loss_time; 0: no loss)");
 }
 
 TEST(RelaxingLayers, HaveTheirOwnOrOneForAll) {

@@ -185,7 +185,7 @@ TEST(Predict, WarnsWithTheSpeedsAtWhichModelsMatter) {
                        [&](const std::string& each) { return each.find(text) != std::string::npos; });
   };
   EXPECT_TRUE(has("yields above 0.00"));
-  EXPECT_TRUE(has("no loss time of the first body"));
+  EXPECT_TRUE(has("no loss in the material of the first body"));
 }
 
 TEST(Predict, IsTheSameForAnyNumberOfThreads) {

@@ -6,8 +6,11 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "stoss/encounter/solid.hpp"
+#include "stoss/relaxation/constant_quality.hpp"
 #include "stoss/restitution/curve.hpp"
 #include "support/refusal.hpp"
 
@@ -39,6 +42,16 @@ std::vector<LawCase> cases() {
   // In units of the first, whose size is not 1.
   const Sphere large{.poisson = 0.2, .radius = 2.0, .young = 9.0, .density = 4.0, .loss_time = 0.4};
   all.push_back({"two_spheres", RefinableContact(sphere(large), sphere(large)), slow_law(large, large)});
+  // Materials that relax: of one quality, and with terms about the time of contact.
+  const Relaxation even = constant_quality(20.0, lowest_of_body, highest_of_body), terms{{{0.1, 1.0}, {0.05, 60.0}}};
+  for (const auto& [name, relaxation] : {std::pair{"quality", even}, std::pair{"terms", terms}}) {
+    const Sphere round{.poisson = 0.3};
+    all.push_back({std::string("sphere_of_") + name, RefinableContact(maker(Solid(round), relaxation)),
+                   slow_law(round, relaxation)});
+  }
+  const Sphere other{.poisson = 0.2, .radius = 2.0, .young = 9.0, .density = 4.0};
+  const BodyMaker its = maker(Solid(other), terms);
+  all.push_back({"two_spheres_that_relax", RefinableContact(its, its), slow_law(other, other, terms)});
   const Disk wide{.poisson = 0.33, .radius = 2.0, .young = 9.0, .density = 4.0};
   all.push_back({"two_disks", RefinableContact(disk(wide), disk(wide)), slow_law(wide, wide)});
   const Sphere ball{.poisson = 0.3, .radius = 3.0, .young = 2.0};

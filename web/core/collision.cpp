@@ -100,8 +100,8 @@ class Collision {
     SoundOptions options{.body = asked.given["body"].as<int>(),
                          .interval = asked.number("interval") / meeting_->unit(Dimension::time),
                          .count = static_cast<std::size_t>(asked.number("count"))};
-    const auto loss_time = std::visit([](const auto& its) { return its.loss_time; }, meeting_->solid(options.body));
-    if (loss_time == 0.0) options.quality = asked.number("quality");
+    const Body& its = options.body == 0 ? *its_.contact.first : *its_.contact.second;
+    if (its.loss_time == 0.0 && its.relaxation.terms.empty()) options.quality = asked.number("quality");
     return float32_array(stoss::sound(its_.contact, its_.impact, options, say_alive));
   }
 

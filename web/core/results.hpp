@@ -51,9 +51,8 @@ emscripten::val answer(const Meeting& meeting, double speed, const emscripten::v
                      {"beyondSmallStrain", finest.beyond_small_strain}});
   if (const auto yield = yield_speed(meeting.encounter)) made.set("yieldSpeed", *yield);
   if (const std::string said = yield_warning(meeting.encounter, speed); !said.empty()) made.set("yieldWarning", said);
-  std::vector<std::string> lines = loss_warnings(meeting.encounter, speed, speed);
-  for (const std::string& line : sound_warnings(meeting.encounter)) lines.push_back(line);
-  made.set("materialWarnings", list(lines, [](const std::string& line) { return val(line); }));
+  made.set("materialWarnings",
+           list(sound_warnings(meeting.encounter), [](const std::string& line) { return val(line); }));
   return made;
 }
 

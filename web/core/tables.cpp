@@ -1,5 +1,6 @@
 // What the core knows of kinds, materials, quantities and documents.
 #include <cmath>
+#include <complex>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -42,10 +43,19 @@ static Json ranges_of_motions() {
   return ranges;
 }
 
+/// The loss time that loses as much at the frequency of the modulus. By it the page tells the loss of a named material,
+/// which the core knows, from one that was typed.
+static double loss_time_there(const Material& its) {
+  if (its.quality) return loss_time_of_quality(*its.quality, its.frequency);
+  if (!its.relaxation) return its.loss_time.value_or(0.0);
+  const std::complex<double> there = modulus(*its.relaxation, {0.0, its.frequency});
+  return there.imag() / there.real() / its.frequency;
+}
+
 static void to_json(Json& json, const NamedMaterial& named) {
   const Material& its = named.material;
   json = {{"name", named.name}, {"young", its.young}, {"poisson", its.poisson}, {"density", its.density}};
-  json["loss_time"] = its.loss_time.value_or(0.0);
+  json["loss_time"] = loss_time_there(its);
   if (its.yield_strength) json["yield_strength"] = *its.yield_strength;
   json["source"] = named.source;
 }
@@ -69,19 +79,10 @@ val quantities(const Question&) {
   return val(all.dump());
 }
 
-/// The page asks for loss times, which a material that relaxes does not have.
-std::vector<NamedMaterial> materials_with_loss_times() {
-  std::vector<NamedMaterial> all = named_materials();
-  std::erase_if(all, [](const NamedMaterial& each) { return each.material.relaxation.has_value(); });
-  return all;
-}
-
 /// The table of kinds, the named materials and ranges of inputs, as JSON: web/plugins/kinds.mjs writes them for the
 /// page.
 val kinds(const Question&) {
-  return val(
-      Json{{"kinds", stoss::kinds()}, {"materials", materials_with_loss_times()}, {"ranges", ranges_of_motions()}}
-          .dump());
+  return val(Json{{"kinds", stoss::kinds()}, {"materials", named_materials()}, {"ranges", ranges_of_motions()}}.dump());
 }
 
 }  // namespace

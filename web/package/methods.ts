@@ -21,7 +21,7 @@ export interface NamedMaterial {
   readonly poisson: number;
   /** kg/m³ */
   readonly density: number;
-  /** η in s; 0: not known well enough */
+  /** η in s that loses as much as the material does at the frequency of its modulus; 0: not known well enough */
   readonly loss_time: number;
   /** Pa; without it the material is brittle, or it is not known well enough */
   readonly yield_strength?: number;

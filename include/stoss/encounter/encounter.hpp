@@ -97,19 +97,12 @@ void validate(const Encounter& encounter);
 /// What a user must be told of elastic results at that speed, m/s: one line beyond the speed of yielding, else nothing.
 [[nodiscard]] std::string yield_warning(const Encounter& encounter, double speed);
 
-/// What a user must be told of the loss of named materials, whose loss time has their quality at one frequency only: a
-/// line for each material that loses more than 1.5 times too much or too little in contacts of this duration, at the
-/// end of the range where it is worse, if that is more than some tenth of an estimate of 1 − ε². Bodies with a
-/// loss_time of their own are meant as they are.
-/// @param slowest,fastest m/s
-[[nodiscard]] std::vector<std::string> loss_warnings(const Encounter& encounter, double slowest, double fastest);
-
 /// What a user must be told of materials that lose far more where they are not sound: a line for each of the list whose
 /// loss it has.
 [[nodiscard]] std::vector<std::string> sound_warnings(const Encounter& encounter);
 
-/// All that a user must be told of the materials of computed impacts: yield_warning at the fastest, loss_warnings and
-/// sound_warnings.
-[[nodiscard]] std::vector<std::string> material_warnings(const Encounter& encounter, double slowest, double fastest);
+/// All that a user must be told of the materials of computed impacts: yield_warning at the fastest and sound_warnings.
+/// @param fastest m/s
+[[nodiscard]] std::vector<std::string> material_warnings(const Encounter& encounter, double fastest);
 
 }  // namespace stoss

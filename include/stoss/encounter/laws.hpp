@@ -17,9 +17,13 @@ namespace stoss {
 /// The law of its slow impacts. @throws InvalidInput for bodies of which there is none
 [[nodiscard]] SlowLaw slow_law(const Encounter& encounter);
 
+/// What two solids do not say of themselves.
+struct SlowSides {
+  bool rigid = false, second_rigid = false;
+  Relaxation relaxation{}, second_relaxation{};  ///< times in the unit of loss times
+};
+
 /// The law of slow impacts of a solid on another, or at a hard wall. @throws InvalidInput where there is none
-/// @param rigid,second_rigid whether the first, and what it meets, is rigid
-[[nodiscard]] SlowLaw slow_law(const Solid& first, const std::optional<Solid>& second, bool rigid = false,
-                               bool second_rigid = false);
+[[nodiscard]] SlowLaw slow_law(const Solid& first, const std::optional<Solid>& second, const SlowSides& sides = {});
 
 }  // namespace stoss

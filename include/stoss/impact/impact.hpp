@@ -69,9 +69,9 @@ struct ModeEnergy {
 struct EnergyLedger {
   double translation = 0.0;
   double vibration = 0.0;   ///< of the kept modes; in a lossy body it will become heat
-  double dissipated = 0.0;  ///< lost to the material until the end of the impact; 0 without a loss time
+  double dissipated = 0.0;  ///< lost to the material, with what one that relaxes still holds at the end
   double unresolved = 0.0;  ///< of the modes above the cutoff (radiating tail)
-  double stored = 0.0;      ///< left in the exponential wall's potential, < 1e-10, and in a lossy body where it relaxes
+  double stored = 0.0;  ///< left in the exponential wall's potential, < 1e-10, and in the tail of a Kelvin–Voigt body
   double lost_to_first = 0.0;     ///< what the first body vibrates with, dissipates and holds, and of `unresolved`
   double lost_to_second = 0.0;    ///< the same of the second; 0 at a wall
   std::vector<ModeEnergy> modes;  ///< in the order of Contact::groups
@@ -107,7 +107,8 @@ struct Impact {
                         ///< the compression over its thickness (docs/theory/impact.md#strain)
   bool beyond_small_strain = false;  ///< strain > small_strain_limit: linear elasticity is no longer accurate
   std::optional<State> start;        ///< where it was given
-  State final_state;                 ///< where a part of a body is there (BodyPart), that of the part
+  State final_state;  ///< with modes as they swing on, without what a material that relaxes holds in them; where a part
+                      ///< of a body is there (BodyPart), that of the part
 };
 
 /// Computes one impact, by kick–rotate–kick with the force of the contact. It starts just out of contact and ends when

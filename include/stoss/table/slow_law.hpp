@@ -18,6 +18,11 @@ namespace stoss {
 /// @throws InvalidInput for a sphere that is out of range; the law for speeds that lossy_impact refuses
 [[nodiscard]] SlowLaw slow_law(const Sphere& sphere);
 
+/// The same of a sphere that relaxes: the loss of Ting's law (quasistatic::relaxing_impact) with what viscous_loss adds
+/// to Hertz' contact. Takes 4 to 40 ms.
+/// @param relaxation times in the unit of loss times. @throws InvalidInput as above and as validate(Relaxation)
+[[nodiscard]] SlowLaw slow_law(const Sphere& sphere, const Relaxation& relaxation);
+
 /// Law of slow impacts of a disk at a hard wall: Rayleigh's estimate for its modes up to a frequency of 30 c/R. Takes
 /// 0.1 ms, and the speeds of quasistatic::slow_impact.
 ///
@@ -28,7 +33,8 @@ namespace stoss {
 
 /// Law of slow impacts of two equal spheres: that of one at a wall at half the speed.
 /// @throws InvalidInput for others, which have no law
-[[nodiscard]] SlowLaw slow_law(const Sphere& first, const Sphere& second);
+/// @param relaxation of both
+[[nodiscard]] SlowLaw slow_law(const Sphere& first, const Sphere& second, const Relaxation& relaxation = {});
 
 /// Law of slow impacts of two equal disks: that of one at a wall at half the speed.
 /// @throws InvalidInput for others, which have no law

@@ -14,7 +14,7 @@ from stoss._arguments import choice, instance, number, refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import BODIES, PARTNERS, Body, Disk, Sphere
 from stoss.bodies._material import NAMES
-from stoss.bodies._solid import KINDS, Solid, Specification, describe, is_rigid, relaxes
+from stoss.bodies._solid import KINDS, LOSSES, Solid, Specification, describe, is_rigid, losses_of
 from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded, Wall
 
 
@@ -186,17 +186,14 @@ def yield_warning_of(body: Any, against: Any, speed: float) -> str:
     return "" if found is None else found.yield_warning(speed)
 
 
-def material_warnings_of(body: Any, against: Any, slowest: float, fastest: float, lossy: bool = True) -> list[str]:
-    """All that the core says of the materials of results at these speeds, m/s; of elastic ones nothing of losses."""
+def material_warnings_of(body: Any, against: Any, fastest: float) -> list[str]:
+    """All that the core says of the materials of results up to this speed, m/s."""
     yields = yield_warning_of(body, against, fastest)
     said = [yields] if yields else []
     if body.material is None or not isinstance(against, (str, type(None), *PARTNERS, HardWall)):
         return said
     met = "same" if isinstance(against, str) or against is body else HardWall() if against is None else against
-    meeting = drop_encounter(body, met)
-    if lossy:
-        said += meeting.loss_warnings(slowest, fastest)
-    return said + meeting.sound_warnings()
+    return said + drop_encounter(body, met).sound_warnings()
 
 
 def _that_may_yield(body: Any, against: Any) -> _core.Encounter | None:
@@ -223,10 +220,10 @@ def drop_encounter(body: Body, against: Against | str) -> _core.Encounter:
 
 
 def _named(solid: Solid) -> Specification:
-    """What describes it, without the loss time that its material has: that of a named one is of the duration."""
+    """What describes it, without the losses that its material has: those of a named one the core knows."""
     words = describe(solid)
     if solid.material is None or "material" not in words:  # without a material, of layers or of a file
         return words
-    if not relaxes(solid.material) and solid.loss_time == (solid.material.loss_time or 0.0):
-        words.pop("loss_time", None)
+    if {name: getattr(solid, name) for name in LOSSES} == losses_of(solid.material):
+        words = {name: value for name, value in words.items() if name not in LOSSES}
     return {**words, "material": NAMES.get(solid.material, words["material"])}

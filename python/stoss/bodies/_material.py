@@ -175,19 +175,18 @@ materials: Mapping[str, Material] = MappingProxyType(
         (
             name,
             Material(
-                young=young, poisson=poisson, density=density, yield_strength=strength, loss_time=loss_time,
-                surface_energy=energy, relaxation=terms,
+                young=young, poisson=poisson, density=density, yield_strength=strength, surface_energy=energy,
+                quality=quality, frequency=frequency if quality else None, relaxation=terms,
             ),
         )  # fmt: skip
-        for name, young, poisson, density, strength, loss_time, energy, terms in _core.named_materials()
+        for name, young, poisson, density, strength, energy, quality, frequency, terms in _core.named_materials()
     )
 )
 """Typical materials, those of the command: ``stoss materials`` lists them with their sources.
 
 Yours differs, rubber and rock by factors: measure it. What has no `yield_strength` here is brittle, or not known well
-enough; structural steel has 0.235 GPa and more. Loss times are those of a quality at 10 kHz, that of rubber at 500 Hz:
-contacts of 50 µs and 1 ms. They are orders of magnitude, and so are surface energies, which are those of smooth
-surfaces. How well each constant is known is in `stoss.predict`, which knows these materials again. What ε means for each of them: docs/reference/materials.md.
+enough; structural steel has 0.235 GPa and more. Each has one `quality` at all frequencies or a `relaxation`, if its loss
+is known: an order of magnitude. So are surface energies, which are those of smooth surfaces. How well each constant is known is in `stoss.predict`, which knows these materials again. What ε means for each of them: docs/reference/materials.md.
 """
 
 NAMES: Mapping[Material, str] = MappingProxyType({material: name for name, material in materials.items()})

@@ -94,7 +94,7 @@ def slow_impact(
     shaped: dict[str, Any] = {name: arranged(column, speeds.shape) for name, column in values.items()}
     of_spheres: dict[str, Any] = {"max_radius": None}
     result = SlowImpact(law=chosen, body=body, **of_spheres | shaped)
-    warn_of_materials(result, 2, lossy=False)
+    warn_of_materials(result, 2)
     return result
 
 
@@ -186,5 +186,5 @@ def rayleigh(
     shaped |= {"law": chosen, "cutoff": highest, "mode_energies": energies if speeds.ndim == 0 else None}
     of_spheres: dict[str, Any] = {"mean_lost_fraction": None, "max_radius": None}
     result = RayleighEstimate(body=body, **of_spheres | shaped)
-    warn_of_materials(result, 2, lossy=False)
+    warn_of_materials(result, 2)
     return result

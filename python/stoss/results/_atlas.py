@@ -88,7 +88,7 @@ def atlas(
     """
     chosen = choose_body(body, poisson)
     if not isinstance(chosen, (Sphere, Disk)) or chosen.loss_time != 0.0 or relaxes(chosen):
-        raise refusal("body", chosen, "a sphere or a disk without loss in the atlas (stoss.restitution computes it)")
+        raise refusal("body", chosen, "a sphere or a disk without loss, loss_time=0, in the atlas (stoss.restitution computes it)")
     met = choose_against(chosen, against, (HardWall,))
     which, ratio = _what(chosen, met)
     table = _tables()
@@ -120,7 +120,7 @@ def _what(body: Sphere | Disk, met: Any) -> tuple[str, float]:
         return "wall", 1.0
     alike = all(getattr(met, name) == getattr(body, name) for name in ("poisson", "young", "density"))
     if not alike or met.loss_time != 0.0 or relaxes(met) or getattr(met, "rigid", False):
-        raise refusal("against", met, "the material of the first, without loss, in the atlas (use stoss.restitution)")
+        raise refusal("against", met, "the material of the first, without loss, loss_time=0, in the atlas (use stoss.restitution)")
     if isinstance(met, (HalfSpace, HalfPlane)):
         return "block", 1.0
     if isinstance(met, UNBOUNDED):

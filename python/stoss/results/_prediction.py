@@ -160,8 +160,7 @@ def predict(
 
     Ringing, radiation and loss in the material are computed from elasticity, with a numerical error.
     Yield and adhesion are models, with a spread of their own. All are in one motion, so that they
-    take of each other. Materials of `stoss.materials` bring how well their constants are known, and
-    have their quality at all frequencies; a `loss_time` is Kelvin and Voigt's. All is in SI. What
+    take of each other. Materials of `stoss.materials` bring how well their constants are known. All is in SI. What
     ends within the range of what was computed is in `warnings`, and a `StossWarning` says it once.
 
     Parameters:
@@ -173,7 +172,7 @@ def predict(
         adhesion: Work of adhesion of both surfaces, J/m², 0 to 1e6; default: 2√(γ₁γ₂) of the
             `surface_energy` of both materials, 0 where one has none.
         uncertainties (mapping of str to float, optional): Constants by name, as ``{"young": 0.05,
-            "against loss_time": 2}``: each is known within a factor of 1 + u, u from 0 to 10.
+            "against loss": 2}``: each is known within a factor of 1 + u, u from 0 to 10.
             Default: those of `stoss.materials`.
         tolerance: For the computed channels, relative error of 1 − ε², 1e-15 to 0.5.
 

@@ -175,17 +175,16 @@ def finished(curve: Curve, done: int | None) -> Curve:
     return curve
 
 
-def warn_of_materials(result: MayYield, stacklevel: int, lossy: bool = True) -> None:
-    """Warnings, as from that many calls above, of what materials do that was not computed, or with another loss."""
-    warn_at(result.body, getattr(result, "against", None), result.speed, stacklevel + 1, lossy)
+def warn_of_materials(result: MayYield, stacklevel: int) -> None:
+    """Warnings, as from that many calls above, of what materials do that was not computed."""
+    warn_at(result.body, getattr(result, "against", None), result.speed, stacklevel + 1)
 
 
-def warn_at(body: Any, against: Any, speed: Any, stacklevel: int, lossy: bool = True) -> None:
+def warn_at(body: Any, against: Any, speed: Any, stacklevel: int) -> None:
     """The same of bodies at speeds in c."""
     if getattr(body, "material", None) is None or np.size(speed) == 0:
         return
-    slowest, fastest = float(np.min(speed)) * body.scales.speed, float(np.max(speed)) * body.scales.speed
-    for said in material_warnings_of(body, against, slowest, fastest, lossy):
+    for said in material_warnings_of(body, against, float(np.max(speed)) * body.scales.speed):
         warnings.warn(said, StossWarning, stacklevel=stacklevel + 1)
 
 

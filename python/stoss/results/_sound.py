@@ -15,6 +15,7 @@ from stoss._arguments import integer, number, optional_number, refusal, require_
 from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import BODIES, shown
+from stoss.bodies._solid import relaxes
 from stoss.export._files import whole_file
 from stoss.results._computed_impact import ComputedImpact
 
@@ -113,7 +114,7 @@ def sound(
     count = math.ceil(length * samples)
     require_memory("duration", f"{count} samples", 16.0 * count, "make it shorter")
     chosen = optional_number("quality", quality)
-    if chosen is None and not getattr(body, "loss_time", 0.0):
+    if chosen is None and not getattr(body, "loss_time", 0.0) and not relaxes(body):
         chosen = QUALITY
     scales, interval = self.body.scales, 1.0 / (samples * slow)
     modes = self.mode_energies

@@ -213,13 +213,13 @@ class Case(NamedTuple):
     key: str
 
 
-def material_warnings(cases: Sequence[Case], slowest: float, fastest: float) -> list[str]:
+def material_warnings(cases: Sequence[Case], fastest: float) -> list[str]:
     """What the core says of the materials of the cases, m/s: of yielding the worst case, of losses the first few."""
     yields = _yield_warning(cases, fastest)
     said = [yields] if yields else []
     others: dict[str, int] = {}
     for case in cases:
-        for text in material_warnings_of(case.body, case.against, slowest, fastest):
+        for text in material_warnings_of(case.body, case.against, fastest):
             if "yields above" not in text:
                 others[text] = others.get(text, 0) + 1
     said += list(others)[:MOST_WARNINGS]

@@ -86,7 +86,7 @@ def sweep(
     if doubtful:
         text = f"{doubtful} of {result.computed.size} values not as accurate as asked for (see .converged)"
         warnings.warn(text, StossWarning, stacklevel=2)
-    for said in material_warnings(chosen.cases(), float(chosen.speed.min()), float(chosen.speed.max())):
+    for said in material_warnings(chosen.cases(), float(chosen.speed.max())):
         warnings.warn(said, StossWarning, stacklevel=2)
     return result
 

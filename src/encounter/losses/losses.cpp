@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "check.hpp"
 #include "encounter/participant.hpp"
@@ -107,7 +109,7 @@ void refuse_relaxing(const Encounter& encounter, const std::string& what) {
   const auto refuse = [&what](const Participant& of) {
     if (relaxes(of)) {
       throw InvalidInput::conflict(losses_of(of).quality != 0.0 ? "quality" : "relaxation",
-                                   what + " knows no material that relaxes", "give a loss_time");
+                                   what + " knows no material that relaxes", "give a loss_time; 0: no loss");
     }
     if (layers_differ(of)) {
       throw InvalidInput::conflict("loss_time", what + " knows one for all layers of a " + of.kind,
@@ -168,6 +170,19 @@ void take_young_as_relaxed(Participant& of) {
   };
   take(of);
   for (Participant& layer : of.below) take(layer);
+}
+
+std::vector<std::string> sound_warnings(const Encounter& encounter) {
+  std::vector<std::string> lines;
+  for (const Participant* each : {&encounter.first, &encounter.against}) {
+    const NamedMaterial* its = named_of(*each);
+    if (its == nullptr || !its->sound || each->rigid || own_losses(*each)) continue;
+    std::string line =
+        std::string(its->name) +
+        " is taken as sound, smooth, dry and uncracked: measured losses are often ten times as large and more";
+    if (lines.empty() || lines.front() != line) lines.push_back(std::move(line));
+  }
+  return lines;
 }
 
 }  // namespace stoss
