@@ -174,6 +174,9 @@ class Solid:
         else:
             usual |= {each.name: fields[each.name] for each in kind.parameters if each.of_material}
             usual |= NO_LOSSES if fields.get("rigid") else losses_of(self.material)
+        same = all(usual.get(name) == fields.get(name) for name in LOSSES)
+        said_of_losses = {} if same else losses_in(self)
+        usual |= {name: None if name in said_of_losses else fields.get(name) for name in LOSSES}
         said = ", ".join(f"{name}={brief(value)}" for name, value in fields.items() if usual.get(name) != value)
         return f"{type(self).__name__}({said})"
 

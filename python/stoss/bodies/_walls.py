@@ -115,7 +115,8 @@ class Plate(Endless):
         if self.layers is None:
             return super().__repr__()
         usual = losses_of(self.material) if self.material else NO_LOSSES
-        given = {name: getattr(self, name) for name in LOSSES if getattr(self, name) not in (None, usual[name])}
+        own = {name: getattr(self, name) for name in LOSSES}
+        given = {} if own == usual else losses_in(self)
         return f"Plate(layers={list(self.layers)!r}{''.join(f', {name}={brief(its)}' for name, its in given.items())})"
 
     def _beside(self, body: Any) -> Plate:

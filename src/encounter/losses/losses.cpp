@@ -37,7 +37,7 @@ Losses of_material(const Material& its) {
 /// Those that are given beside the material, if any.
 std::optional<Losses> own_losses(const Participant& of) {
   const double loss_time = given_or(of, "loss_time", 0.0), quality = given_or(of, "quality", 0.0);
-  if (!of.values.contains("loss_time") && quality == 0.0 && !of.relaxation) return std::nullopt;
+  if (!of.values.contains("loss_time") && !of.values.contains("quality") && !of.relaxation) return std::nullopt;
   const double frequency = of.material ? of.material->frequency : usual_frequency;
   const Losses made{loss_time, quality, frequency, of.relaxation.value_or(Relaxation{})};
   require_one(made);

@@ -35,7 +35,7 @@ def test_one_layer_is_a_plate_of_it():
 def test_the_numbers_are_those_of_the_first_layer():
     assert (LAMINATED.thickness, LAMINATED.poisson, LAMINATED.young, LAMINATED.material) == (4e-3, 0.22, 7e10, GLASS)
     assert (LAMINATED.loss_time, len(LAMINATED.layers)) == (0.0, 3) and LAMINATED.layers[1] == FILM
-    assert stoss.Plate(layers=[PANE, PANE]).loss_time == GLASS.loss_time
+    assert stoss.Plate(layers=[PANE, PANE]).quality == GLASS.quality
     assert COATED.poisson is None and COATED.layers[1].thickness is None
 
 
@@ -64,7 +64,7 @@ def test_documents_are_those_of_the_core():
     assert document_of(BALL, COATED) == {"kind": "plate", "layers": [one, block], "loss_time": 0.0}
     layers = document_of(IN_SI, LAMINATED)["layers"]
     assert [each["thickness"] for each in layers] == [4e-3, 0.8e-3, 4e-3]
-    assert [each["poisson"] for each in layers] == [0.22, PVB.poisson, 0.22]
+    assert [each["material"]["poisson"] for each in layers] == [0.22, PVB.poisson, 0.22]
 
 
 def test_a_sweep_of_thicknesses(tmp_path):

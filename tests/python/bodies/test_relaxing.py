@@ -78,8 +78,6 @@ def test_representations_make_them_again():
         (lambda: stoss.rod_chain([stoss.Rod(quality=10)] * 2, circumference=9, temperature=1, collisions=3, decay_time=0),
          "rods: "),
         (lambda: stoss.atlas(stoss.Sphere(poisson=0.3, quality=10), speed=0.1), "body: "),
-        (lambda: stoss.predict(stoss.Sphere(radius=1, material=stoss.Material(**RUBBER, quality=10)), speed=1.0),
-         "quality: predict knows no material that relaxes"),
     ],
 )
 def test_refusals(make, said):

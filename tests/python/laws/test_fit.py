@@ -63,10 +63,11 @@ def test_laws_of_balls_on_a_block_and_without_a_material():
     bare = stoss.Sphere(radius=5e-3, material=stoss.materials["glass"], loss_time=0)
     assert stoss.fit(bare, against=block, law="viscoelastic", speed=RANGE).fitted.pair.radius == BALL.radius
     # Ratios: the same bodies in SI and in their own units.
-    glass = BALL.material
-    own = stoss.Sphere(poisson=glass.poisson, loss_time=glass.loss_time / BALL.scales.time)
-    c = BALL.scales.speed
-    ours = stoss.fit(BALL, law="linear", speed=RANGE)
+    glass, eta = BALL.material, 1.6e-8
+    lossy = stoss.Sphere(radius=BALL.radius, material=glass, loss_time=eta)
+    own = stoss.Sphere(poisson=glass.poisson, loss_time=eta / lossy.scales.time)
+    c = lossy.scales.speed
+    ours = stoss.fit(lossy, law="linear", speed=RANGE)
     theirs = stoss.fit(own, law="linear", speed=(RANGE[0] / c, RANGE[1] / c))
     assert theirs.fitted.stiffness == pytest.approx(ours.fitted.stiffness / (glass.young * BALL.radius), rel=1e-6)
     assert theirs.speed[0] == pytest.approx(RANGE[0] / c)

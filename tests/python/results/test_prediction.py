@@ -70,7 +70,7 @@ def test_a_material_of_ones_own_has_no_name(drop):
     ball = stoss.Sphere(radius=5e-3, material=stoss.Material(**vars(STEEL) | {"density": 7810.5}))
     made = quietly(ball, against=BLOCK, speed=0.1, uncertainties={"young": 0.05})
     assert {each.constant for each in made.influences if not each.constant.startswith("against")} == {"young"}
-    assert {each.constant for each in drop.influences} >= {"young", "density", "loss_time", "against.young"}
+    assert {each.constant for each in drop.influences} >= {"young", "density", "loss", "against.young"}
     assert drop.by_constants == pytest.approx(math.hypot(*(each.change for each in drop.influences)), rel=1e-9)
     assert all(abs(a.change) >= abs(b.change) for a, b in zip(drop.influences, drop.influences[1:]))
 
@@ -110,4 +110,4 @@ def test_files_and_tables_name_the_channel_yield(grains, tmp_path):
     assert table.inputs["against"] == "same" and table.inputs["work_of_adhesion"] == "0.2"
     told = json.loads(json.dumps(grains.to_dict(), allow_nan=False))
     assert told["yield"] == grains.yielding.tolist() and told["contact_time"][0][0] is None
-    assert told["influences"][1][1][0]["constant"] == "loss_time" and "<table" in grains._repr_html_()
+    assert told["influences"][1][1][0]["constant"] == "loss" and "<table" in grains._repr_html_()

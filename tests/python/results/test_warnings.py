@@ -51,10 +51,8 @@ def test_says_how_far_beyond_yielding(name):
 
 
 @pytest.mark.parametrize("name", CALLS)
-def test_says_by_how_much_a_loss_is_off_and_what_is_taken_as_sound(name):
-    loss, sound = said(lambda: CALLS[name](ROCK, 0.1))
-    assert loss.startswith("the loss of granite is ") and " times too small at 0." in loss, loss
-    assert sound == SOUND
+def test_says_what_is_taken_as_sound(name):
+    assert said(lambda: CALLS[name](ROCK, 0.1)) == [SOUND]
 
 
 def test_elastic_estimates_say_what_is_taken_as_sound_only():
@@ -70,7 +68,7 @@ def test_a_sweep_says_it_of_the_worst_case_and_of_each(tmp_path):
     rocks = ["wall", {"kind": "sphere", "radius": 1.0, "material": "granite"}]
     grid = stoss.Grid(bodies=[ROCK], against=rocks, speed=[0.1], tolerance=0.3)
     of_rocks = said(lambda: stoss.sweep(grid, store=tmp_path / "rocks"))
-    assert sum(each.startswith("the loss of granite is ") for each in of_rocks) == 2 and of_rocks.count(SOUND) == 1
+    assert of_rocks == [SOUND]
 
 
 def test_nothing_is_said_below_or_of_a_loss_time_of_ones_own(recwarn):
