@@ -93,7 +93,7 @@ def test_factors_by_which_constants_vary():
     assert f"{span('young', some)} for E of plastics and granite, {span('young', rubbers)} for E of rubbers" in words
     for name, letter in (("poisson", "ν"), ("density", "ρ"), ("yield_strength", "Y"), ("surface_energy", "γ")):
         assert f"{span(name)} for {letter}" in words
-    assert {its.get("loss_time", 0.0) for its in varied.values()} <= {0.0, 2.0} and "3 for every Q" in words
+    assert {its.get("loss", 0.0) for its in varied.values()} <= {0.0, 2.0} and "3 for every Q" in words
 
 
 def test_ratios_of_the_losses_of_ice_are_those_of_the_table():

@@ -43,19 +43,19 @@ static Json ranges_of_motions() {
   return ranges;
 }
 
-/// The loss time that loses as much at the frequency of the modulus. By it the page tells the loss of a named material,
-/// which the core knows, from one that was typed.
-static double loss_time_there(const Material& its) {
-  if (its.quality) return loss_time_of_quality(*its.quality, its.frequency);
-  if (!its.relaxation) return its.loss_time.value_or(0.0);
+/// Q at the frequency of the modulus, to four digits: by it the page tells the loss of a named material, which the core
+/// knows, from one that was typed. 0 where none is known.
+static double quality_there(const Material& its) {
+  if (!its.relaxation) return its.quality.value_or(0.0);
   const std::complex<double> there = modulus(*its.relaxation, {0.0, its.frequency});
-  return there.imag() / there.real() / its.frequency;
+  constexpr double digits = 1e3;
+  return std::round(digits * there.real() / there.imag()) / digits;
 }
 
 static void to_json(Json& json, const NamedMaterial& named) {
   const Material& its = named.material;
   json = {{"name", named.name}, {"young", its.young}, {"poisson", its.poisson}, {"density", its.density}};
-  json["loss_time"] = loss_time_there(its);
+  json["quality"] = quality_there(its);
   if (its.yield_strength) json["yield_strength"] = *its.yield_strength;
   json["source"] = named.source;
 }
@@ -79,10 +79,20 @@ val quantities(const Question&) {
   return val(all.dump());
 }
 
+/// Those with a quality that the page can ask for, or none: it asks for no other relaxation.
+std::vector<NamedMaterial> materials_of_qualities() {
+  constexpr double least = 3.0;
+  std::vector<NamedMaterial> all = named_materials();
+  std::erase_if(all, [](const NamedMaterial& each) {
+    return each.material.relaxation && quality_there(each.material) < least;
+  });
+  return all;
+}
+
 /// The table of kinds, the named materials and ranges of inputs, as JSON: web/plugins/kinds.mjs writes them for the
 /// page.
 val kinds(const Question&) {
-  return val(Json{{"kinds", stoss::kinds()}, {"materials", named_materials()}, {"ranges", ranges_of_motions()}}.dump());
+  return val(Json{{"kinds", stoss::kinds()}, {"materials", materials_of_qualities()}, {"ranges", ranges_of_motions()}}.dump());
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ export interface NamedMaterial {
   readonly poisson: number;
   /** kg/m³ */
   readonly density: number;
-  /** η in s that loses as much as the material does at the frequency of its modulus; 0: not known well enough */
-  readonly loss_time: number;
+  /** Q, that of one that relaxes at the frequency of its modulus; 0: not known well enough */
+  readonly quality: number;
   /** Pa; without it the material is brittle, or it is not known well enough */
   readonly yield_strength?: number;
   readonly source: string;

@@ -47,7 +47,7 @@ const isGiven = (name: BodyField, { quality }: Body): boolean => (name === 'qual
 const grounds = ['half-space', 'plate', 'same'] as const;
 const solids = materials.map(({ name }) => name) as [string, ...string[]];
 
-/** Of named materials, which have a loss time unless one has been typed. */
+/** Of named materials, which have their loss unless one has been typed. */
 function ballPairs(encounter: Encounter): string[] {
   const { against, first, second } = meetingOf(encounter);
   const its = ({ solid, material, body, fields, second: other }: Side): string[] => [
@@ -163,9 +163,12 @@ function encounterFrom(reader: Reader, view: View): Encounter {
     else if (side) {
       const solid = isBall ? materialNamed(reader.word(second ? 'material2' : 'material', solids)) : undefined;
       const numbers = side.fields.filter((field) => !solid || isOwn(field)).map((field) => [field, isLossName(field)
-        ? reader.number(keyOf(field, second), (field === 'loss_time' && solid?.loss_time) || 0, true) : reader.number(keyOf(field, second), without[field])]);
+        ? reader.number(keyOf(field, second), NaN, true) : reader.number(keyOf(field, second), without[field])] as const)
+        .filter(([, value]) => !Number.isNaN(value));
       const body = solid ? madeOf(solid, without) : without;
-      encounter = withBody(encounter, second, { ...body, ...Object.fromEntries(numbers) as Body }, choice);
+      // A named material has its loss unless one is given.
+      const losses = solid && !numbers.some(([field]) => isLossName(field)) ? {} : { loss_time: 0, quality: 0 };
+      encounter = withBody(encounter, second, { ...body, ...losses, ...Object.fromEntries(numbers) as Body }, choice);
     }
   };
   filled(false, usual);

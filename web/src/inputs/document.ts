@@ -63,8 +63,8 @@ export const centimetre: Body = { ...unitBody, radius: 0.01, length: 0.01, area:
 export const ball = madeOf(materialNamed('bearing steel'), centimetre);
 
 /** The body made of a material, of the same size. */
-export function madeOf<Sizes extends Partial<Body>>({ young, poisson, density, loss_time }: Material, body: Sizes) {
-  return { ...body, young, poisson, density, loss_time, quality: 0 };
+export function madeOf<Sizes extends Partial<Body>>({ young, poisson, density, quality }: Material, body: Sizes) {
+  return { ...body, young, poisson, density, loss_time: 0, quality };
 }
 
 /** Numbers by which a body or a block is given. In SI some of them are of a material. Without SI the first body has as
@@ -82,7 +82,7 @@ function participant(kind: Kind, body: Body, { si, plane }: Choice, second: bool
   const loss = body.quality === 0 ? { loss_time: body.loss_time } : { quality: body.quality };
   if (!si) return { kind: kind.name, ...sizes, ...loss };
   const solid = materials.find((its) => ofMaterial.every((name) => its[name as keyof Material] === body[name]));
-  const known = solid && body.quality === 0 && Math.abs(solid.loss_time - body.loss_time) <= 1e-9 * body.loss_time;
+  const known = solid?.quality === body.quality && body.loss_time === 0;
   const { young, density } = body;
   const poisson = ofMaterial.includes('poisson') ? body.poisson : 0.3; // a rod does without
   return {
@@ -122,7 +122,7 @@ function sideOf(given: Participant, si: boolean, second: boolean): Side {
   const kind = kindNamed(file ? 'sphere' : name);
   const fields = file ? [] : fieldsOf(kind, si, second);
   const solid = typeof material === 'string' ? materialNamed(material) : undefined;
-  const losses = own.quality === undefined ? {} : { loss_time: 0 };
+  const losses = own.quality !== undefined ? { loss_time: 0 } : own.loss_time !== undefined ? { quality: 0 } : {};
   const body = file ? standIn(file)
     : { ...(si ? centimetre : unitBody), ...(solid ? madeOf(solid, {}) : material as Body), ...losses, ...own };
   const its = own.loss_time === undefined && own.quality === undefined ? solid : undefined;

@@ -34,7 +34,7 @@ function inWords({ kind, si, body, second, fields, material, strain, file }: Sid
     ...(!material && (si || second) ? [`E ${withPrefix(body.young, si ? 'Pa' : '')}`] : []),
     ...(size ? [`${names[size][0]} ${si ? withPrefix(body[size], 'm') : significant(body[size], 3)}`] : []),
     ...(!material && body.loss_time !== 0 ? [`η ${significant(body.loss_time, 3)}`] : []),
-    ...(body.quality !== 0 ? [`Q ${significant(body.quality, 3)}`] : []),
+    ...(!material && body.quality !== 0 ? [`Q ${significant(body.quality, 3)}`] : []),
     ...(strain && !second ? [say('encounter.strain')] : []),
   ].join(' ');
 }
@@ -49,7 +49,7 @@ function numbersOf({ si, kind, body, fields, solid, material }: Side): Record<'m
   const made = kind.parameters.filter(({ ofMaterial }) => ofMaterial).map(({ name }) => name);
   const given = fields.filter((name) =>
     (name === 'loss_time' ? !material && body.quality === 0 && (si || body[name] !== 0)
-      : name === 'quality' ? body[name] !== 0 : !solid || !made.includes(name)));
+      : name === 'quality' ? !material && body[name] !== 0 : !solid || !made.includes(name)));
   const pairs = (wanted: boolean): [string, string][] =>
     given.filter((name) => made.includes(name) === wanted).map((name) => [name, shortest(body[name])]);
   return { made: pairs(true), other: pairs(false) };

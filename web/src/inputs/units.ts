@@ -41,12 +41,12 @@ export function withoutSi(inputs: Inputs): Inputs {
   };
 }
 
-/** A body beside the ball of a bearing whose E(0) has this ratio to that of the ball: with a quality the modulus in SI is
- *  the one at 10 kHz. */
+/** A body beside the ball of a bearing whose E(0) has this ratio to that of the ball: with a quality, as the ball has one,
+ *  the modulus in SI is the one at 10 kHz. */
 function ofModulus(choice: Choice, body: Body, ratio: number): Body {
   let its = body;
   const rounds = 5; // each takes away most of what is wrong
-  for (let round = 0; round < rounds && body.quality !== 0; ++round) {
+  for (let round = 0; round < rounds; ++round) {
     its = { ...its, young: its.young * ratio / unitsOf(encounterOf(choice, ball, its)).second!.young };
   }
   return { ...its, young: rounded(its.young, 6) };
@@ -57,11 +57,11 @@ export function withSi(inputs: Inputs): Inputs {
   const { first: _, second, ...choice } = meetingOf(inputs.encounter);
   if (choice.si) return inputs;
   const si: Choice = { ...choice, si: true, plane: 'stress' };
-  const { poisson, loss_time } = ball;
+  const { poisson, loss_time, quality } = ball;
   const { time } = unitsOf(encounterOf({ ...si, against: 'wall' }, ball));
   const inSi = (body: Body): Body => ({
     ...changed(body, (value, name) => (name === 'quality' ? value : value * ball[name])),
-    ...(body.young === 1 && body.density === 1 ? { poisson, loss_time }
+    ...(body.young === 1 && body.density === 1 ? { poisson, loss_time, quality }
       : { poisson: Math.min(body.poisson, poisson), loss_time: rounded(body.loss_time * time, 6) }),
   });
   const [spin, second_spin] = [inputs.spin, inputs.second_spin].map((each) => rounded(each / time, 6)) as [number, number];

@@ -52,7 +52,7 @@ describe('real materials', () => {
   });
   it('name the constant that matters most', () => {
     expect(influenceInWords(predicted(1, 0.8))).toBe('');
-    const influences = [{ constant: 'against.loss_time', uncertainty: 2, change: -0.02 }];
+    const influences = [{ constant: 'against.loss', uncertainty: 2, change: -0.02 }];
     expect(influenceInWords(predicted(1, 0.8, { influences }))).toBe(
       'The constants are not known exactly: ± 0.12 in all; loss time of what it meets × 3: −0.02 of ε.');
   });
