@@ -54,7 +54,7 @@ describe('real materials', () => {
     expect(influenceInWords(predicted(1, 0.8))).toBe('');
     const influences = [{ constant: 'against.loss', uncertainty: 2, change: -0.02 }];
     expect(influenceInWords(predicted(1, 0.8, { influences }))).toBe(
-      'The constants are not known exactly: ± 0.12 in all; loss time of what it meets × 3: −0.02 of ε.');
+      'The constants are not known exactly: ± 0.12 in all; loss in the material of what it meets × 3: −0.02 of ε.');
   });
 });
 
