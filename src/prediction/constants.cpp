@@ -76,7 +76,11 @@ Uncertainties known_of(const Participant& of) {
   return its != nullptr ? its->uncertainties : Uncertainties{};
 }
 
-bool loses_energy(const Participant& of) { return losses_of(of) != Losses{.frequency = losses_of(of).frequency}; }
+bool loses_energy(const Participant& of) {
+  const std::vector<Losses> all = losses_of_layers(of);
+  return std::any_of(all.begin(), all.end(),
+                     [](const Losses& its) { return its != Losses{.frequency = its.frequency}; });
+}
 
 /// Layers of a plate keep theirs, but for the loss: only the top one varies.
 Participant enlarged(Participant of, const Constant& constant, double factor) {

@@ -31,15 +31,18 @@ constexpr double gravity = 9.80665;  // m/s²
 Encounter without_loss(Encounter encounter, double frequency) {
   for (Participant* each : {&encounter.first, &encounter.against}) {
     if (!each->material) continue;
-    const double stiffer = prediction::stiffer(*each, frequency);
+    const std::vector<Losses> losses = losses_of_layers(*each);
     for (const char* loss : {"loss_time", "quality"}) each->values.erase(loss);
     each->relaxation.reset(), each->material_name.clear();
-    const auto strip = [stiffer](Material& its) {
+    const auto strip = [&losses, frequency](Material& its, std::size_t layer) {
       its.loss_time.reset(), its.quality.reset(), its.relaxation.reset();
-      its.young *= stiffer;
+      its.young *= prediction::stiffer(losses[layer], frequency);
     };
-    strip(*each->material);
-    for (Participant& layer : each->below) strip(*layer.material), layer.material_name.clear();
+    strip(*each->material, 0);
+    for (std::size_t i = 0; i < each->below.size(); ++i) {
+      strip(*each->below[i].material, i + 1);
+      each->below[i].material_name.clear();
+    }
   }
   return encounter;
 }

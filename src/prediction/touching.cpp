@@ -29,7 +29,7 @@ Side side_of(const Participant& of, std::optional<double> frequency) {
   side.curvature = 1.0 / radius;
   side.inverse_mass = 3.0 / (4.0 * pi * material.density) * std::pow(side.curvature, 3);
   side.surface_energy = material.surface_energy;
-  side.softness = softness_of(of) / stiffer(of, frequency.value_or(losses_of(of).frequency));
+  side.softness = softness_of(of) / stiffer(losses_of(of), frequency.value_or(losses_of(of).frequency));
   if (!of.rigid) side.yield_strength = material.yield_strength;
   return side;
 }
@@ -46,8 +46,7 @@ double work_between(const Side& one, const Side& other) {
 
 }  // namespace
 
-double stiffer(const Participant& of, double frequency) {
-  const Losses its = losses_of(of);
+double stiffer(const Losses& its, double frequency) {
   if (!its.relaxation.terms.empty()) return std::abs(modulus(its.relaxation, {0.0, frequency}));
   if (its.quality == 0.0) return 1.0;
   return std::pow(frequency / its.frequency, 2.0 / pi * std::atan(1.0 / its.quality));

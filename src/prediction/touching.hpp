@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "stoss/encounter/relaxing.hpp"
 #include "stoss/prediction/prediction.hpp"
 #include "stoss/quasistatic/inelastic_impact.hpp"
 #include "stoss/quasistatic/point_hertz.hpp"
@@ -35,8 +36,8 @@ struct Touching {
 /// more above.
 [[nodiscard]] double speed_of_impression(const Touching& touching);
 
-/// |E(iω)| of a body with a material over the modulus that it has. @param frequency rad/s
-[[nodiscard]] double stiffer(const Participant& of, double frequency);
+/// |E(iω)| of a material in SI over the modulus that it has. @param frequency rad/s
+[[nodiscard]] double stiffer(const Losses& its, double frequency);
 
 /// @param frequency rad/s, at which materials that relax have their modulus; by itself that of each material
 /// @throws InvalidInput unless a sphere with a material meets what a ball can
