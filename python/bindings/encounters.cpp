@@ -58,9 +58,9 @@ py::list all_materials() {
   py::list all;
   for (const NamedMaterial& each : named_materials()) {
     const Material& its = each.material;
-    all.append(py::make_tuple(each.name, its.young, its.poisson, its.density, its.yield_strength, its.surface_energy,
-                              its.quality,
-                              its.frequency == usual_frequency ? std::nullopt : std::optional(its.frequency), terms_of(its.relaxation)));
+    all.append(py::make_tuple(
+        each.name, its.young, its.poisson, its.density, its.yield_strength, its.surface_energy, its.quality,
+        its.frequency == usual_frequency ? std::nullopt : std::optional(its.frequency), terms_of(its.relaxation)));
   }
   return all;
 }

@@ -83,16 +83,16 @@ val quantities(const Question&) {
 std::vector<NamedMaterial> materials_of_qualities() {
   constexpr double least = 3.0;
   std::vector<NamedMaterial> all = named_materials();
-  std::erase_if(all, [](const NamedMaterial& each) {
-    return each.material.relaxation && quality_there(each.material) < least;
-  });
+  std::erase_if(
+      all, [](const NamedMaterial& each) { return each.material.relaxation && quality_there(each.material) < least; });
   return all;
 }
 
 /// The table of kinds, the named materials and ranges of inputs, as JSON: web/plugins/kinds.mjs writes them for the
 /// page.
 val kinds(const Question&) {
-  return val(Json{{"kinds", stoss::kinds()}, {"materials", materials_of_qualities()}, {"ranges", ranges_of_motions()}}.dump());
+  return val(
+      Json{{"kinds", stoss::kinds()}, {"materials", materials_of_qualities()}, {"ranges", ranges_of_motions()}}.dump());
 }
 
 }  // namespace
