@@ -139,16 +139,15 @@ def test_rebounds_of_rubber():
 def test_film_of_a_laminate():
     piece, *films = LAMINATE
     between, top = films[:2], films[2:]
-    heat = [percent(row["dissipated"], 1) for row in between]
-    assert heat[0] == heat[1] and f"the film takes {heat[0]} of the energy as heat" in WORDS
-    falls = [piece["restitution"] - row["restitution"] for row in between]
-    assert "lowers ε by {:.2f} to {:.2f}".format(*falls) in WORDS
-    assert max(row["restitution_without_loss"] - row["restitution"] for row in between) < 2e-3 and "same to 0.002" in WORDS
+    heat = {percent(row["dissipated"], 2) for row in between}
+    assert len(heat) == 1 and f"Heat is {heat.pop()} of the energy" in WORDS
+    falls = [piece[name] - row[name] for name in ("restitution", "restitution_without_loss") for row in between]
+    assert "lowers ε by {:.2f} to {:.2f}, without relaxation by {:.2f} to {:.2f}".format(*falls) in WORDS
     longer = [row["contact_time"] / piece["contact_time"] for row in top]
     assert "{:.0f} to {:.0f} times as long".format(*longer) in WORDS
     assert "ε rises to {:.2f} and {:.2f}".format(*(row["restitution"] for row in top)) in WORDS
-    heat = sorted(row["dissipated"] for row in top)
-    assert "takes {:.0f} to {:.0f} % as heat".format(*(100 * each for each in heat)) in WORDS
+    heat = {percent(row["dissipated"], 2) for row in top}
+    assert len(heat) == 1 and f"though {heat.pop()} of the energy becomes heat" in WORDS
 
 
 def test_quality_of_a_drop():
@@ -181,8 +180,10 @@ def test_channels():
              for ball, rows in its.items() if ball in ("bearing steel", "glass")}  # fmt: skip
     assert "from {:.2g} m/s on for steel and from {:.2g} m/s on for glass".format(*first.values()) in WORDS
     heat = {ball: [row["material"] for row in rows] for ball, rows in its.items()}
-    assert all(0.0015 < each < 0.0035 for ball in first for each in heat[ball]) and "at 0.2 to 0.3 %" in WORDS
-    assert all(0.045 < each < 0.065 for each in heat["POM"]) and "Heat is 5 to 6 %" in WORDS
+    assert all(0.0015 < each < 0.0025 for ball in first for each in heat[ball]) and "heat stays at 0.2 %" in WORDS
+    slow = {percent(row["material"], 2) for row in its["POM"] if row["speed"] < 0.1}
+    assert len(slow) == 1 and f"Heat is {slow.pop()} below 0.1 m/s" in WORDS
+    assert f"heat falls to {percent(heat['POM'][-1], 2)} at 10 m/s" in WORDS
     assert max(row["radiation"] for row in its["rubber"]) < 1e-4 and "less than 0.01 %" in WORDS
     assert f"Ringing reaches {percent(its['rubber'][-1]['ringing'], 1)} at 10 m/s" in WORDS
     assert f"At 1 cm/s adhesion takes {percent(its['rubber'][0]['adhesion'], 2)}" in WORDS
