@@ -168,7 +168,7 @@ def restitution(
     Cutoff, time step and contact grid are refined together until the estimated error of 1 − ε² is
     below ``tolerance * (1 − ε²)`` or below ``absolute``. If that cannot be met, a single value raises
     `NotConverged`; in arrays such values are marked, and a `StossWarning` says how many there are.
-    A value of a disk takes 1.5 ms in the median, 20 ms or more in one case of a hundred.
+    A value of a disk takes 1.5 ms in the median, 21 ms or more in one case of a hundred.
 
     Parameters:
         body (Disk, Sphere, Rod or ModalBody, or a list or an array of disks or of spheres): The first

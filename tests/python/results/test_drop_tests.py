@@ -95,23 +95,19 @@ def test_table_of_materials_is_that_of_the_package():
     assert [line[0] for line in lines] == list(stoss.materials)
     for name, young, poisson, density, strength, quality, energy, source in lines:
         material = stoss.materials[name]
-        assert written(young)[0] == pytest.approx(material.young) and float(poisson) == material.poisson
+        shown, unit = written(young)  # that of a relaxation is E(0), of which the page has four digits
+        assert shown == pytest.approx(material.young, abs=0.5 * unit if material.relaxation else 1e-6 * shown)
+        assert float(poisson) == material.poisson
         assert float(density) == material.density and source
-        frequency = 2 * np.pi * (500 if "rubber" in name else 1e4)
-        known = None if material.loss_time is None else 1 / (frequency * material.loss_time)
-        assert (float(quality) if quality else None) == pytest.approx(known)
+        assert (float(quality) if quality else None) == material.quality
         assert (written(strength)[0] if strength else None) == pytest.approx(material.yield_strength)
         assert (float(energy) if energy else None) == material.surface_energy
 
 
-# To first order 1 − ε² = 2c₁x, x = (3/2)η(k/m)^(2/5)v^(1/5), and Hertz' contact time is 2.9432 δ/v. The other number
-# is that of a constant Q (studies/loss/constant_quality.py).
-def test_loss_of_a_slow_ball_to_its_material():
-    in_units_of_time = 2.9432 * 1.25**0.4  # τ (k/m)^(2/5) v^(1/5)
-    assert 2 * 1.153449 * 1.5 * in_units_of_time / np.pi == pytest.approx(3.54, abs=0.005)
+# The numbers are those of a constant Q (studies/loss/constant_quality.py): 2.41/Q at small loss, of ice 2.40/Q.
+@pytest.mark.parametrize("speed", [0.01, 0.1])
+def test_loss_of_a_slow_ball_to_its_material(speed):
     words = " ".join(PAGE.split())
-    assert "a ball loses 2.41/Q" in words and "3.54/Q" in words
+    assert "a slow ball loses 2.41/Q at every speed" in words and "3.54/Q" not in words
     ice = stoss.Sphere(radius=5e-3, material=stoss.materials["ice"])
-    slow = stoss.restitution(ice, speed=0.01)
-    expected = 3.54 / 200 * 50e-6 / slow.contact_time_si
-    assert slow.dissipated == pytest.approx(expected, rel=0.02)
+    assert stoss.restitution(ice, speed=speed).dissipated == pytest.approx(2.40 / 200, rel=0.02)
