@@ -67,8 +67,8 @@ std::string all_of(const NamedMaterial& its) {
 void run(const MaterialsArguments& arguments) {
   std::vector<NamedMaterial> shown = named_materials();
   if (!arguments.name.empty()) shown = {material_of_the_list(arguments.name)};
-  const Columns columns{{"name", "", 17},
-                        {"young", "Pa", 9},
+  const Columns columns{{"name", "", 16},
+                        {"young", "Pa", 10},
                         {"poisson", "", 8},
                         {"density", "kg/m^3", 8},
                         {"yield_strength", "Pa", 15},
@@ -78,14 +78,16 @@ void run(const MaterialsArguments& arguments) {
                         {"source", ""}};
   Writer writer = arguments.output.writer({"materials", command_line(), {}}, columns, Output::Use::whole);
   const auto known = [](const std::optional<double>& value) { return value ? Value(*value) : Value(std::string()); };
+  const bool table = arguments.output.chosen_format() == Format::table;
   for (const NamedMaterial& each : shown) {
     const Material& its = each.material;
-    writer.add(
-        {std::string(each.name), its.young, its.poisson, its.density, known(its.yield_strength), known(its.quality),
-         known(its.surface_energy), its.relaxation ? text_of(*its.relaxation) : "", std::string(each.source)},
-        details_of(each));
+    // E(0) of a relaxation follows from its terms; a table has room for four digits of it.
+    const double young = table ? std::stod(fmt::format("{:.4g}", its.young)) : its.young;
+    writer.add({std::string(each.name), young, its.poisson, its.density, known(its.yield_strength), known(its.quality),
+                known(its.surface_energy), its.relaxation ? text_of(*its.relaxation) : "", std::string(each.source)},
+               details_of(each));
   }
-  if (arguments.output.chosen_format() == Format::table) {
+  if (table) {
     writer.close_table(
         (arguments.name.empty() ? "" : all_of(shown.front())) +
         "\nquality: at all frequencies; nothing: not known well enough, or a relaxation,\nwhose young is E(0)\n" +

@@ -73,14 +73,26 @@ def test_a_named_material_is_its_numbers(stoss):
     steel, glass = listed["brass"], listed["glass"]
 
     def numbers(of):
-        return f"young={of['young']},density={of['density']},poisson={of['poisson']},loss_time={of['loss_time']}"
+        return f"young={of['young']},density={of['density']},poisson={of['poisson']},quality={of['quality']}"
 
     speed = "restitution --body sphere --radius 0.005 --speed 0.1,1"
     constants = f"--young {steel['young']} --density {steel['density']} --poisson {steel['poisson']}"
-    typed = f"{constants} --yield {steel['yield_strength']} --loss-time {steel['loss_time']}"
+    typed = f"{constants} --yield {steel['yield_strength']} --quality {steel['quality']}"
     named = stoss.data(speed, "--material brass", "--against half-space,material=glass")
     assert named == stoss.data(speed, typed, f"--against half-space,{numbers(glass)}")
     assert all(float(row["yield_speed_si[m/s]"]) > 0 for row in named)
+
+
+def test_one_material_is_shown_with_all_that_is_known_of_it(stoss):
+    (row,) = json.loads(stoss.run("materials PVB --format json").stdout)["records"]
+    shown = stoss.run("materials PVB").stdout
+    assert f"relaxation from E(0) = {row['young']:.4g} Pa: {row['relaxation']}\n" in shown
+    assert "at 10000 Hz: E' = 5.68e+08 Pa" in shown and f"source: {row['source']}\n" in shown
+    assert "known within a factor of: young 1.3 poisson 1.05 density 1.01\n" in shown
+    steel = stoss.run("materials 'bearing steel'").stdout
+    assert "frequency of the modulus: 10000 Hz\n" in steel and "loss 3 yield_strength 1.2\n" in steel
+    unknown = stoss.run("materials stone")
+    assert unknown.returncode == 3 and unknown.stderr.startswith("stoss: error: material: got 'stone', allowed ")
 
 
 DISK = "restitution --body disk --poisson 0.33 --speed 0.2 --tolerance 0.1"

@@ -15,7 +15,10 @@ def test_a_laminate_has_the_losses_of_its_materials(stoss):
     elastic = of(stoss, f"plate,loss_time=0,{PANE}/{FILM}/{PANE}")
     glass = of(stoss, f"plate,quality=1000,{PANE}/{FILM}/{PANE}")
     assert 0.0 == elastic["dissipated"] < glass["dissipated"] < 0.5 * own["dissipated"] < 0.05
-    assert own["restitution"] == pytest.approx(elastic["restitution"], abs=0.01)
+    # Without loss PVB has E(0). What moves the ball is its modulus at about 10 kHz, 5.7e8 Pa.
+    soft = of(stoss, f"plate,loss_time=0,{PANE}/thickness=8e-4,young=5.7e8,poisson=0.45,density=1070/{PANE}")
+    assert own["restitution"] == pytest.approx(soft["restitution"], abs=0.01)
+    assert elastic["restitution"] > soft["restitution"] + 0.03
 
 
 def test_a_lossy_layer_on_top_takes_more_than_one_below(stoss):
