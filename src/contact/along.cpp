@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <variant>
 
 #include "contact/unit_ratios.hpp"
 #include "stoss/errors.hpp"
@@ -20,11 +19,6 @@ std::vector<Body> bodies_along(const Body& body, const Poll& poll) {
 }
 
 double own_mass_along(const Body& body) { return body.mass_along > 0.0 ? body.mass_along : whole_mass(body); }
-
-void require_law_along(const Contact& contact) {
-  if (std::holds_alternative<HardWall>(contact.wall)) return;
-  throw InvalidInput::out_of_range("friction", "an exponential wall", "only a rigid one", "it has no law along it");
-}
 
 /// (c_s/c_p)² of a body that mixes directions, from the impedances of its foremost point.
 double mixing_of(const Body& body, double radius) {
@@ -68,7 +62,6 @@ double stable_friction(const std::vector<Contact>& along) {
 }
 
 Contact contact_outward(const Contact& contact, const Poll& poll) {
-  require_law_along(contact);
   const auto outward = [&poll](const Body& body) {
     if (body.outward) return body.outward(poll);
     throw InvalidInput::out_of_range("friction", "'" + body.name + "'", "only balls: spheres and half-spaces");
@@ -78,7 +71,6 @@ Contact contact_outward(const Contact& contact, const Poll& poll) {
 }
 
 std::vector<Contact> contacts_along(const Contact& contact, const Poll& poll) {
-  require_law_along(contact);
   std::vector<Contact> along;
   std::vector<Body> first = bodies_along(*contact.first, poll);
   if (contact.second == nullptr) {

@@ -71,6 +71,11 @@ Contact contact(std::shared_ptr<const Body> body, const Wall& wall) {
   }
   Contact contact;
   contact.wall = wall;
+  contact.asperities = body->asperities;
+  if (const auto* soft = std::get_if<ExponentialWall>(&wall)) {
+    contact.asperities = std::hypot(contact.asperities, 1.0 / soft->hardness);
+    contact.strength = soft->strength;
+  }
   contact.mass = body->mass;
   contact.whole_mass = whole_mass(*body);
   contact.extent = body->extent;
@@ -92,6 +97,7 @@ Contact contact(std::shared_ptr<const Body> first, std::shared_ptr<const Body> s
   contact.mass = reduced(first->mass, is_unbounded(*second) ? whole_mass(*second) : second->mass * units.mass);
   contact.whole_mass = reduced(whole_mass(*first), whole_mass(*second) * units.mass);
   contact.extent = first->extent + second->extent * units.length;
+  contact.asperities = std::hypot(first->asperities, second->asperities * units.length);
   contact.cutoff = std::max(first->cutoff, second->cutoff / units.time);
   contact.radius = is_unbounded(*second) ? 1.0 : std::min(1.0, units.length);
   add_modes(*first, UnitRatios{}, 0, contact);

@@ -8,11 +8,15 @@ namespace stoss {
 /// Time step that resolves the contact law.
 [[nodiscard]] double resolving_step(const Contact& contact, Tail tail, double speed);
 
+/// Force of rough faces from which they count as touching while an impact goes on; 0 between smooth ones.
+/// @param speed of an impact with all the energy there is
+[[nodiscard]] double force_that_counts(const Contact& contact, double speed);
+
 /// Gap up to which points push that have not touched; 0 at a hard contact.
 [[nodiscard]] double pushing_gap(const Contact& contact);
 
 /// Contact points within a half-width that it needs, besides those for the modes.
-[[nodiscard]] double needed_nodes(const Contact& contact, double half_width);
+[[nodiscard]] double needed_nodes(const Contact& contact, Tail tail, double half_width);
 
 /// Distance from first touch at which bodies that vibrate feel nothing of each other.
 /// @param reach      of the vibration

@@ -23,7 +23,7 @@ double greatest_angle(const Contact& contact) {
       is_known_at_a_point(*contact.first) || (contact.second != nullptr && is_known_at_a_point(*contact.second));
   if (contact.unbounded || at_a_point) return before_the_widest * 0.5 * std::numbers::pi;
   const bool same_size = contact.second == nullptr || contact.second->scale.length == contact.first->scale.length;
-  const bool all_around = same_size && std::holds_alternative<HardWall>(contact.wall);
+  const bool all_around = same_size && contact.asperities == 0.0;
   return all_around ? std::numbers::pi : 0.5 * std::numbers::pi;
 }
 

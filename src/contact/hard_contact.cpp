@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "contact/demands.hpp"
 #include "contact/touch.hpp"
 #include "numeric/kernels.hpp"
 #include "stoss/contact/grid.hpp"
@@ -43,6 +44,7 @@ HardContact::HardContact(const Contact& contact, const ContactGrid& grid, const 
       residuals_(made.residuals),
       contact_(made.compliance, edge_law(contact, grid, speed), poll),
       lossy_(loses(contact)),
+      rough_(contact.asperities > 0.0),
       first_share_(loss_share(contact)),
       position_(grid.recess.size()),
       gap_(grid.recess.size()),
@@ -51,7 +53,8 @@ HardContact::HardContact(const Contact& contact, const ContactGrid& grid, const 
       old_force_(grid.recess.size()),
       range_(contact_.range(grid.recess)),
       touch_(touch_compression(contact, grid)),
-      first_kick_(first_kick(contact)) {}
+      first_kick_(first_kick(contact)),
+      threshold_(force_that_counts(contact, speed)) {}
 
 double HardContact::start(double stride) const { return start_before(first_kick_, range_, touch_, stride); }
 
@@ -153,7 +156,7 @@ std::array<double, 2> RadiatingTail::dissipated_energy() const {
 
 double RadiatingTail::stored_energy() const {
   const auto [first, second] = residuals_.stored();
-  return first + second;
+  return first + second + (rough_ ? contact_.law_energy(force_) : 0.0);
 }
 
 double RadiatingTail::unresolved_energy() const {

@@ -26,10 +26,12 @@ class HardContact : public ContactResponse {
   [[nodiscard]] std::size_t extent() const override { return contact_.extent(); }
   [[nodiscard]] double gap(std::size_t node) const override;
   [[nodiscard]] double half_width() const override { return contact_.half_width(); }
-  [[nodiscard]] bool overflows() const override { return contact_.extent() == force_.size(); }
+  [[nodiscard]] bool overflows() const override { return contact_.overflows(); }
   [[nodiscard]] std::array<double, 2> relaxing_energy() const override;
   [[nodiscard]] double range() const override { return range_; }
   [[nodiscard]] double touch() const override { return touch_; }
+  [[nodiscard]] double contact_threshold() const override { return threshold_; }
+  [[nodiscard]] bool is_long_range() const override { return rough_; }
 
   /// With the touch at the best phase within a step.
   [[nodiscard]] double start(double stride) const override;
@@ -44,7 +46,7 @@ class HardContact : public ContactResponse {
   double step_;
   Residuals residuals_;
   EdgeContact contact_;
-  bool lossy_;
+  bool lossy_, rough_;
   double first_share_;                // of the first body in what the edge law takes
   std::vector<double> position_;      // x_dyn
   std::vector<double> gap_;           // x_dyn − h
@@ -56,7 +58,7 @@ class HardContact : public ContactResponse {
   HardContact(const Contact& contact, const ContactGrid& grid, const SetUp& made, double speed, double step,
               const Poll& poll);
 
-  double range_, touch_, first_kick_;
+  double range_, touch_, first_kick_, threshold_;
 };
 
 /// Hard wall, quasistatic tail: u = W f, of a lossy material u = J W f (ResidualMotion without masses), and the edge

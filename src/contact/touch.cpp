@@ -1,5 +1,7 @@
 #include "contact/touch.hpp"
 
+#include <cmath>
+
 #include "contact/unit_ratios.hpp"
 #include "stoss/contact/grid.hpp"
 
@@ -34,6 +36,7 @@ double loss_share(const Contact& contact) {
 }
 
 double touch_compression(const Contact& contact, const ContactGrid& grid) {
+  if (contact.asperities > 0.0) return -std::log(contact.strength) * contact.asperities;
   if (has_single_point(contact)) return 0.0;
   const double spacing = grid.points.spacing * grid.points.radius;
   const Touch met = touch(contact);

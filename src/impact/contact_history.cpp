@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <variant>
 #include <vector>
 
 #include "stoss/contact/contact.hpp"
@@ -76,6 +75,30 @@ FlatForce::FlatForce(const std::vector<double>& impulse, double step, double rip
   while (last_ > 0 && !(pushes(last_) && at(last_) >= half * at(last_ - 2 * span))) --last_;
 }
 
+/// When rough faces touch, which feel each other at any distance: while the force exceeds a thousandth of its maximum.
+struct Touching {
+  double time = 0.0;  ///< from the first to the last, steps
+  int contacts = 0;
+};
+
+/// @param impulse after each step since the first force @param greatest force times the step
+Touching touching(const std::vector<double>& impulse, double greatest) {
+  constexpr double share = 1e-3;
+  Touching made;
+  double first = 0.0, before = 0.0;
+  const double least = share * greatest;
+  for (std::size_t k = 0; k < impulse.size(); ++k) {
+    const double force = impulse[k] - (k == 0 ? 0.0 : impulse[k - 1]);
+    if ((before > least) != (force > least)) {
+      const double at = static_cast<double>(k) - (force - least) / (force - before);
+      if (force > least && made.contacts++ == 0) first = at;
+      if (force <= least) made.time = at - first;
+    }
+    before = force;
+  }
+  return made;
+}
+
 }  // namespace
 
 void ContactHistory::add_force(double mean_force) {
@@ -124,12 +147,17 @@ void ContactHistory::fill(const Contact& contact, double velocity_before, double
   impact.max_force = force_peak_.value(0.0) / contact.first->mass;
   impact.max_compression = compression_peak_.value(0.0);
   impact.max_half_width = half_width_peak_.value(0.0);
-  if (has_single_point(contact) && std::holds_alternative<HardWall>(contact.wall) && impulse_ > 0.0) {
+  if (has_single_point(contact) && contact.asperities == 0.0 && impulse_ > 0.0) {
     const FlatForce force(impulse_history_, step_, ripple_time(contact));
     const double last = (static_cast<double>(first_step_ + force.last()) - 0.5) * step_;
     impact.contact_time = last - first_contact_;
     impact.contacts = force.contacts();
     impact.max_force = force.greatest() / contact.first->mass;
+  }
+  if (contact.asperities > 0.0) {
+    const Touching its = touching(impulse_history_, force_peak_.value(0.0) * step_);
+    impact.contact_time = its.time * step_;
+    impact.contacts = its.contacts;
   }
   const double momentum_change = contact.mass * (velocity_before - velocity_after);
   impact.momentum_error = std::abs(impulse_ - momentum_change) / (contact.mass * std::abs(velocity_before));

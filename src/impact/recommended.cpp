@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "contact/demands.hpp"
+#include "contact/touch.hpp"
 
 namespace stoss {
 namespace {
@@ -21,6 +22,14 @@ double in_steps(const Contact& contact, double half_width) {
   return contact.radius * std::exp2(std::round(steps * std::log2(half_width / contact.radius)) / steps);
 }
 
+/// @param pushing gap up to which points push that have not touched
+double first_half_width(const Contact& contact, double speed, double pushing) {
+  constexpr double margin = 1.25;
+  const double touching = margin * expected_half_width(contact, speed);
+  const double beyond = pushing > 0.0 ? 2.0 * pushing / touch(contact).curvature : 0.0;
+  return std::min(std::sqrt(touching * touching + beyond), greatest_half_width(contact));
+}
+
 int fewest_nodes(const Contact& contact) {
   const int first = contact.first->sampling.fewest;
   return contact.second == nullptr ? first : std::max(first, contact.second->sampling.fewest);
@@ -29,9 +38,7 @@ int fewest_nodes(const Contact& contact) {
 }  // namespace
 
 double initial_half_width(const Contact& contact, double speed) {
-  constexpr double margin = 1.25;
-  const double touching = margin * expected_half_width(contact, speed);
-  return std::min(std::sqrt(touching * touching + 2.0 * pushing_gap(contact)), greatest_half_width(contact));
+  return first_half_width(contact, speed, pushing_gap(contact));
 }
 
 int nyquist_nodes(const Contact& contact, double half_width) {
@@ -44,10 +51,10 @@ double sampled_nodes(const Contact& contact, double half_width) {
   return contact.second == nullptr ? first : std::max(first, asked(contact.second->sampling, cutoff, width));
 }
 
-int nodes_within(const Contact& contact, double half_width) {
+int nodes_within(const Contact& contact, Tail tail, double half_width) {
   if (has_single_point(contact)) return 1;
   const double nodes = std::max(
-      {1.0 * fewest_nodes(contact), 1.5 * nyquist_nodes(contact, half_width), needed_nodes(contact, half_width)});
+      {1.0 * fewest_nodes(contact), 1.5 * nyquist_nodes(contact, half_width), needed_nodes(contact, tail, half_width)});
   return static_cast<int>(std::ceil(std::min<double>(nodes, most_nodes)));
 }
 
@@ -55,6 +62,7 @@ double known_half_width(const Contact& contact, double speed, const Impact& coar
   constexpr double spacings = 2.0, share = 0.25;
   const FixedResolution& grid = coarser.resolution;
   if (grid.nodes < 2) return 0.0;
+  if (contact.asperities > 0.0) return 0.0;  // they push beyond what counts as contact
   const bool resolved = coarser.max_half_width > spacings * grid.half_width / grid.nodes;
   return resolved ? coarser.max_half_width : share * initial_half_width(contact, speed);
 }
@@ -65,8 +73,10 @@ Resolution refined_resolution(const Contact& contact, double speed, double half_
   if (has_single_point(contact)) return resolution;
   // A coarser run shows how far the contact spreads. The edge law needs room beyond it: most of two spacings.
   constexpr double margin = 1.06, spacings = 2.0;
+  constexpr double matters = 16.0;  // lengths of the asperities from the face where pressure is down to 10⁻⁷
   constexpr int fewest = 16;
-  const double width = in_steps(contact, half_width > 0.0 ? half_width : initial_half_width(contact, speed));
+  const double expected = half_width > 0.0 ? half_width : first_half_width(contact, speed, matters * contact.asperities);
+  const double width = in_steps(contact, expected);
   const double wanted = std::max<double>(sampled_nodes(contact, width), fewest);
   resolution.half_width = std::min(width * std::max(margin, 1.0 + spacings / wanted), greatest_half_width(contact));
   const double nodes = std::max(wanted, 1.02 * nyquist_nodes(contact, *resolution.half_width));

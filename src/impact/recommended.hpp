@@ -18,7 +18,7 @@ inline constexpr int most_nodes = 4096;
 [[nodiscard]] double sampled_nodes(const Contact& contact, double half_width);
 
 /// Recommended nodes of a grid.
-[[nodiscard]] int nodes_within(const Contact& contact, double half_width);
+[[nodiscard]] int nodes_within(const Contact& contact, Tail tail, double half_width);
 
 /// Maximum half-width of a contact for the grid of a finer run. One narrower than the spacing of its grid tells
 /// nothing, as a sheet touches here and there: a share of the usual width does for it.

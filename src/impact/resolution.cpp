@@ -13,6 +13,10 @@ namespace stoss {
 
 FixedResolution fixed_resolution(const Contact& contact, double speed, const Resolution& asked) {
   require_speed(speed);
+  if (asked.tail == Tail::none && contact.asperities == 0.0) {
+    throw InvalidInput::out_of_range("tail", "none at smooth faces", "static or radiating",
+                                     "the modes above the cutoff answer where no point passes");
+  }
   if (contact.unbounded && mach_number(contact, speed) > 1.0) {
     throw InvalidInput::out_of_range("speed", shown(speed) + " c at so soft a body",
                                      "up to " + shown_most(speed / mach_number(contact, speed)),
@@ -38,7 +42,7 @@ FixedResolution fixed_resolution(const Contact& contact, double speed, const Res
     const long fewest = !has_single_point(contact) ? std::max(16, nyquist_nodes(contact, half_width)) : 1;
     require("nodes", static_cast<long>(*nodes), fewest, most_nodes, "contact nodes; as many as the kept orders need");
   }
-  return {step ? *step : resolving_step(contact, tail, speed), nodes ? *nodes : nodes_within(contact, half_width),
+  return {step ? *step : resolving_step(contact, tail, speed), nodes ? *nodes : nodes_within(contact, tail, half_width),
           half_width, tail};
 }
 

@@ -135,6 +135,11 @@ Bar lost_on_a_growing_contact(const Contact& contact, double speed, const std::v
   doubt.error = calm * rebound(contact, last) * std::max(least_returned, returned(contact)) * doubt.error;
   doubt.error *= last.unresolved;
   Bar bar{&Restitution::lost_fraction, corrected(last), {doubt, node_error(contact, last)}};
+  if (contact.asperities > 0.0) {
+    const double nodes = last.resolution.nodes;
+    bar.terms.push_back({"nodes_of_asperities", nodes_of_asperities,
+                         nodes_of_asperities * std::abs(last.lost_fraction) / (nodes * nodes)});
+  }
   if (contact.unbounded && last.remaining == 0.0) {  // a body that stays could have nothing more taken
     const double waves = plate ? waves_of_a_plate : waves_of_a_half_space;
     bar.terms.push_back({plate ? "waves_of_a_plate" : "waves_of_a_half_space", waves,

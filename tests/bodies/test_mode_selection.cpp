@@ -17,14 +17,15 @@ namespace {
 
 constexpr double speed = 0.1;
 const ExponentialWall soft{100.0, 1.0};
+const ImpactOptions kept_alone{.resolution = {.tail = Tail::none}};
 
-std::vector<ModeEnergy> energies(const Body& body) { return impact(body, soft, speed).energy.modes; }
+std::vector<ModeEnergy> energies(const Body& body) { return impact(body, soft, speed, kept_alone).energy.modes; }
 
 TEST(ModeSelection, OfAllModesIsTheBodyItself) {
   const Body body = disk(0.33, 12.5);
   const Body same = with_modes(body, std::vector<bool>(mode_count(body), true));
   EXPECT_EQ(same.name, body.name);
-  const Impact expected = impact(body, soft, speed), found = impact(same, soft, speed);
+  const Impact expected = impact(body, soft, speed, kept_alone), found = impact(same, soft, speed, kept_alone);
   EXPECT_EQ(found.restitution, expected.restitution);
   EXPECT_EQ(found.final_state.coordinate, expected.final_state.coordinate);
   EXPECT_NO_THROW((void)impact(same, HardWall{}, speed));
@@ -77,7 +78,7 @@ TEST(ModeSelection, OfAllBelowALowerCutoffIsTheBodyOfThatCutoff) {
     for (const double omega : group.omega) keep.push_back(omega <= low.cutoff);
   }
   // Only where a step belongs to both are they the same motion.
-  const ImpactOptions options{.resolution = {.step = 0.002, .nodes = 128, .half_width = 0.8}};
+  const ImpactOptions options{.resolution = {.step = 0.002, .nodes = 128, .half_width = 0.8, .tail = Tail::none}};
   const Impact expected = impact(low, soft, speed, options);
   const Impact found = impact(with_modes(high, keep), soft, speed, options);
   EXPECT_NEAR(found.restitution, expected.restitution, 1e-12);
@@ -116,7 +117,7 @@ TEST(ModeSelection, IsAnotherBodyToLookAt) {
   first.front() = false;
   last.back() = false;
   const Body some = with_modes(body, first);
-  const Impact result = impact(some, soft, speed);
+  const Impact result = impact(some, soft, speed, kept_alone);
   EXPECT_NO_THROW((void)frames_at(contact(some, soft), result, {1.0}));
   test::expect_refusal([&] { (void)frames_at(contact(body, soft), result, {1.0}); }, {"body"});
   // As many modes, and the same name, but others.

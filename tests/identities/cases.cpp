@@ -28,6 +28,7 @@ struct Meeting {
   bool soft;
   Tail tail;
   std::vector<double> speeds;
+  double asperities = 0.0;  // of the first body, a sixth of which the second has
 };
 
 const std::vector<Named> bodies{{"disk_m50", Disk{-0.5}},
@@ -47,10 +48,13 @@ const std::vector<Named> bodies{{"disk_m50", Disk{-0.5}},
 
 const std::vector<Meeting> walls{{"static", false, Tail::quasistatic, {1e-3, 0.3}},
                                  {"radiating", false, Tail::radiating, {1e-3, 0.1, 0.3}},
-                                 {"exponential", true, Tail::radiating, {1e-3, 0.3}}};
+                                 {"exponential", true, Tail::none, {1e-3, 0.3}},
+                                 {"rough", false, Tail::radiating, {0.1}, 0.01},
+                                 {"rough_static", false, Tail::quasistatic, {0.1}, 0.01}};
 
 // A fast sphere rattles on an exponential wall (docs/theory/spheres.md): there no number is exact.
-const std::vector<Meeting> walls_of_spheres{walls[0], walls[1], {"exponential", true, Tail::radiating, {1e-3}}};
+const std::vector<Meeting> walls_of_spheres{
+    walls[0], walls[1], {"exponential", true, Tail::none, {1e-3}}, walls[3], walls[4]};
 
 const std::vector<Meeting> between_bodies{{"static", false, Tail::quasistatic, {0.02}},
                                           {"radiating", false, Tail::radiating, {0.3}}};
@@ -117,6 +121,7 @@ void add(const Named& first, const Named* second, const Meeting& meeting, std::v
     its.thickness = of_plate;
     its.soft = meeting.soft;
     its.tail = meeting.tail;
+    its.asperities = meeting.asperities;
     its.speed = speed;
     its.cutoff = cutoff_of(its);
     cases.push_back(its);
@@ -263,7 +268,7 @@ BodyMaker maker(const Solid& solid) {
 }  // namespace
 
 Contact contact_of(const Case& its) {
-  const BodyMaker first = relaxing(maker(its.first), its.relaxation);
+  const BodyMaker first = rough(relaxing(maker(its.first), its.relaxation), its.asperities);
   if (its.soft) return contact(first(its.cutoff, {}), ExponentialWall{500.0, 1.0});
   if (its.half_space) return contact(first, relaxing(unbounded_of(its), its.second_relaxation), its.cutoff, its.speed);
   if (its.second) return contact(first, relaxing(maker(*its.second), its.second_relaxation), its.cutoff);

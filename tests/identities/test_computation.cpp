@@ -68,10 +68,8 @@ TEST_P(Identity, DescriptionAndThreadDoNotMatter) {
   // The order of the modes.
   const auto turned = [&](const Contact& before) {
     Body first = reversed(*before.first);
-    Contact after =
-        before.second ? stoss::contact(std::move(first), reversed(*before.second)) : stoss::contact(std::move(first));
-    after.wall = before.wall;
-    return after;
+    return before.second ? stoss::contact(std::move(first), reversed(*before.second))
+                         : stoss::contact(std::move(first), before.wall);
   };
   const Impact backward = impact(turned(contact), its.speed, {.resolution = {.step = step, .tail = its.tail}});
   EXPECT_NEAR(backward.restitution, straight.restitution, 1e-9);

@@ -25,13 +25,14 @@ inline void PrintTo(const WallCase& its, std::ostream* out) {
     *out << "hard, ";
     PrintTo(its.tail, out);
   } else {
-    *out << "exponential";
+    *out << "exponential, ";
+    PrintTo(its.tail, out);
   }
 }
 
-/// Both tails at a hard wall, and the exponential wall.
+/// Both tails at a hard wall, and the exponential wall with and without a tail.
 inline const std::vector<WallCase> every_wall{
-    {HardWall{}, Tail::quasistatic}, {HardWall{}, Tail::radiating}, {ExponentialWall{500.0, 1.0}}};
+    {HardWall{}, Tail::quasistatic}, {HardWall{}, Tail::radiating}, {ExponentialWall{500.0, 1.0}, Tail::none}, {ExponentialWall{500.0, 1.0}, Tail::radiating}};
 
 /// The contact grid of a body at a hard wall.
 inline ContactGrid grid_of(const Body& body, double half_width, int nodes) {

@@ -145,7 +145,8 @@ struct Body {
   Relaxation relaxation{};  ///< of a material that relaxes, times in R/c; instead of a loss time (relaxing)
   std::vector<MaterialLoss> layers{};  ///< of layers that lose energy in different ways, times in R/c: both numbers
                                        ///< above are then those of the uppermost one, at the surface
-  double cutoff = 0.0;                 ///< all modes with ω ≤ kept_cutoff(body) are in `groups` (but see with_modes)
+  double asperities = 0.0;  ///< u₀ of its rough face, R: pressure falls as e^{−gap/u₀} (rough); 0: smooth
+  double cutoff = 0.0;      ///< all modes with ω ≤ kept_cutoff(body) are in `groups` (but see with_modes)
   double highest_cutoff = std::numeric_limits<double>::infinity();  ///< that such a body can be made with
   /// Largest stable time step at a hard wall: above it one kick moves the kept modes of some order further than the
   /// residual compliance does.
@@ -202,6 +203,14 @@ using BodyMaker = std::function<Body(double cutoff, const Poll& poll)>;
 
 /// Makes such a body at any cutoff; without terms the body itself.
 [[nodiscard]] BodyMaker relaxing(const BodyMaker& maker, const Relaxation& relaxation);
+
+/// The same body with a rough face, whose asperities deform elastically: their pressure is p₀ e^{−g/u₀} at the mean gap
+/// g (B. N. J. Persson, Phys. Rev. Lett. 99, 125502 (2007)). Of two faces u₀² = u₁² + u₂². What p₀ is does not matter.
+/// @param asperities u₀, 0 to 1 in its R; some 0.4 of the rms height of the asperities
+[[nodiscard]] Body rough(const Body& body, double asperities);
+
+/// Makes such a body at any cutoff; of 0 the body itself.
+[[nodiscard]] BodyMaker rough(const BodyMaker& maker, double asperities);
 
 /// Checks what a contact relies on: positive finite scale, mass and cutoff, groups with arrays of one length, finite
 /// weights and 0 < ω ≤ kept_cutoff(body), and all functions.

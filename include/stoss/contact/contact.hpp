@@ -24,7 +24,9 @@ class ContactCache;
 struct Contact {
   std::shared_ptr<const Body> first;
   std::shared_ptr<const Body> second;   ///< null at a wall
-  Wall wall;                            ///< for two bodies a HardWall: they do not pass through each other
+  Wall wall;                            ///< for two bodies a HardWall
+  double asperities = 0.0;              ///< u₀ between the faces, √(u₁² + u₂²), R; 0: smooth, no point passes
+  double strength = 1.0;                ///< V₀ of an exponential wall
   double mass = 0.0;                    ///< m of the first at a wall, else μ
   double whole_mass = 0.0;              ///< the same of whole bodies, where only a part of one is there (BodyPart)
   double extent = 0.0;                  ///< distance of the centres (or of centre and wall) at first touch

@@ -69,8 +69,10 @@ constexpr std::size_t remembered = 6;
 /// The law of all sides, each with its share of the force.
 EdgeLaw on_sides(std::size_t sides, EdgeLaw law) {
   if (sides == 1) return law;
-  for (double& each : law.force) each *= 0.5;
-  for (auto* array : {&law.force, &law.gap}) {
+  for (auto* array : {&law.force, &law.edge_force}) {
+    for (double& each : *array) each *= 0.5;
+  }
+  for (auto* array : {&law.force, &law.gap, &law.edge_force, &law.edge_gap}) {
     const std::vector<double> side = *array;
     array->insert(array->end(), side.begin(), side.end());
   }
@@ -109,7 +111,14 @@ std::size_t CoupledContact::extent() const {
   return end;
 }
 
+bool CoupledContact::overflows() const {
+  const std::size_t points = closure_.size() / sides_;
+  if (law_.asperities == 0.0) return extent() == points;
+  return EdgeLaw::pushes_at(closure_, points - 1) || EdgeLaw::pushes_at(closure_, closure_.size() - 1);
+}
+
 double CoupledContact::half_width() const {
+  if (law_.asperities > 0.0) return EdgeLaw::pressed(closure_) / static_cast<double>(sides_);
   constexpr double excess = 0.18;  // as EdgeContact has it
   double sum = 0.0;
   for (const double closure : closure_) sum += std::clamp(closure, 0.0, 1.0) / static_cast<double>(sides_);
@@ -174,11 +183,13 @@ void CoupledContact::take_into_matrix(const std::vector<int>& sliding) {
 bool CoupledContact::solve_normal(const VectorXd& x, double scale) {
   const VectorXd position = x - compliance_.xy * held_;
   const std::vector<double> q(position.data(), position.data() + position.size());
+  const double own = compliance_.xx(0, 0);
   for (std::size_t i = 0; i < q.size(); ++i) {
-    if (!(new_closure_[i] > 0.0)) new_closure_[i] = law_.free_closure(i, -q[i]);
+    if (new_closure_[i] > 0.0) continue;
+    new_closure_[i] = law_.asperities > 0.0 ? law_.first_closure(i, -q[i], own) : law_.free_closure(i, -q[i]);
   }
   if (solve_all(matrix_, law_, q, scale, poll_, new_closure_)) return true;
-  for (std::size_t i = 0; i < q.size(); ++i) new_closure_[i] = std::min(0.5, law_.free_closure(i, -q[i]));
+  for (std::size_t i = 0; i < q.size(); ++i) new_closure_[i] = law_.first_closure(i, -q[i], own);
   return solve_all(matrix_, law_, q, scale, poll_, new_closure_);
 }
 

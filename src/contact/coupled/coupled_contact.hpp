@@ -76,6 +76,9 @@ class CoupledContact {
   /// Number of leading points of a side beyond which the last forces of both vanish.
   [[nodiscard]] std::size_t extent() const;
 
+  /// Whether the contact reaches the last points, as EdgeContact has it.
+  [[nodiscard]] bool overflows() const;
+
   /// Half-width of the last contact in spacings, the mean of both sides.
   [[nodiscard]] double half_width() const;
 

@@ -17,14 +17,20 @@ EdgeContact::EdgeContact(std::shared_ptr<const FactoredCompliance> compliance, E
       law_(std::move(law)),
       poll_(std::move(poll)),
       inner_(compliance_->size()),
-      closure_(compliance_->size()) {}
+      closure_(compliance_->size()),
+      change_(law_.asperities > 0.0 ? compliance_->size() : 0) {}
 
 double EdgeContact::half_width() const {
   // By as much the closures of a zone exceed, on average over its place, what lies within the edge.
   constexpr double excess = 0.18;
+  if (law_.asperities > 0.0) return EdgeLaw::pressed(closure_);
   double sum = 0.0;
   for (std::size_t i = 0; i < extent_; ++i) sum += std::clamp(closure_[i], 0.0, 1.0);
   return std::max(0.0, sum - excess);
+}
+
+bool EdgeContact::overflows() const {
+  return law_.asperities == 0.0 ? extent_ == closure_.size() : EdgeLaw::pushes_at(closure_, closure_.size() - 1);
 }
 
 double EdgeContact::energy(const std::vector<double>& force, const std::vector<double>& displacement) const {
@@ -67,7 +73,8 @@ void EdgeContact::solve(const std::vector<double>& q, std::vector<double>& force
     return;
   }
   if (law_.gap.empty()) return solve_point(q, force, displacement);
-  if (constexpr double rounding = 1e-13; !solve_edge(q, rounding * scale, force, displacement)) {
+  if (constexpr double rounding = 1e-13;
+      law_.asperities > 0.0 || !solve_edge(q, rounding * scale, force, displacement)) {
     solve_generally(q, scale, force, displacement);
   }
 }
@@ -177,20 +184,41 @@ bool EdgeContact::solve_edge(const std::vector<double>& q, double tolerance, std
 
 /// As if each node carried about half of what makes it rigid, if it is not clear of the law by itself.
 void EdgeContact::reset_closures(const std::vector<double>& q) {
-  for (std::size_t i = 0; i < q.size(); ++i) {
-    closure_[i] = std::min(0.5, law_.free_closure(i, -q[i]));
+  const double own = compliance_->matrix()(0, 0);
+  for (std::size_t i = 0; i < q.size(); ++i) closure_[i] = law_.first_closure(i, -q[i], own);
+}
+
+/// By asperities that are long at first, and then less so: what is soft is found from any start.
+bool EdgeContact::solved_from_softer(const std::vector<double>& q, double scale) {
+  if (law_.asperities == 0.0) return false;
+  const double length = law_.asperities;
+  reset_closures(q);
+  for (law_.asperities = std::max(length, scale); law_.asperities > length; law_.asperities *= 0.25) {
+    if (!solve_all(*compliance_, law_, q, scale, poll_, closure_)) break;
   }
+  law_.asperities = length;
+  return solve_all(*compliance_, law_, q, scale, poll_, closure_);
 }
 
 void EdgeContact::solve_generally(const std::vector<double>& q, double scale, std::vector<double>& force,
                                   std::vector<double>& displacement) {
   const std::size_t size = compliance_->size();
   // From the last solution, whose far nodes may never have been asked for.
-  for (std::size_t i = extent_; i < size; ++i) closure_[i] = law_.free_closure(i, -q[i]);
+  const double own = compliance_->matrix()(0, 0);
+  for (std::size_t i = extent_; i < size; ++i) {
+    const double behind = -q[i];
+    closure_[i] = law_.asperities > 0.0 ? law_.first_closure(i, behind, own) : law_.free_closure(i, behind);
+  }
+  const std::vector<double> before = closure_;
+  for (std::size_t i = 0; i < change_.size() && i < extent_; ++i) closure_[i] += change_[i];
   const auto solved = [&] { return solve_all(*compliance_, law_, q, scale, poll_, closure_); };
-  if (!solved() && !(reset_closures(q), solved())) {
+  if (!solved() && !(reset_closures(q), solved()) && !solved_from_softer(q, scale)) {
     throw NotConverged(
         "contact: no forces at the nodes obey the law of contact (another resolution may do; please report the input)");
+  }
+  constexpr double longest = 2.0;
+  for (std::size_t i = 0; i < change_.size(); ++i) {
+    change_[i] = i < extent_ ? std::clamp(closure_[i] - before[i], -longest, longest) : 0.0;
   }
   extent_ = rigid_ = 0;
   for (std::size_t i = 0; i < size; ++i) {

@@ -43,6 +43,9 @@ class EdgeContact {
   /// Half-width of the last contact in spacings: nodes count as far as they are closed.
   [[nodiscard]] double half_width() const;
 
+  /// Whether it reaches the last node; of asperities, with a pressure that matters.
+  [[nodiscard]] bool overflows() const;
+
   /// Energy ½ fᵀW f of the compliance and that of the law, whose gradient in q is the last f.
   [[nodiscard]] double energy(const std::vector<double>& force, const std::vector<double>& displacement) const;
 
@@ -57,6 +60,7 @@ class EdgeContact {
                   std::vector<double>& displacement);
   void solve_generally(const std::vector<double>& q, double scale, std::vector<double>& force,
                        std::vector<double>& displacement);
+  bool solved_from_softer(const std::vector<double>& q, double scale);
   void reset_closures(const std::vector<double>& q);
   void solve_point(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement);
   void find_zone(std::size_t rigid);
@@ -67,6 +71,7 @@ class EdgeContact {
   Poll poll_;
   std::vector<double> inner_;    // L⁻¹ q; then Lᵀ f
   std::vector<double> closure_;  // t of each node
+  std::vector<double> change_;   // of t in the last step, of asperities
   EdgeZone zone_;
   bool in_zone_ = false;  // the last solution of the zone is one
   std::array<double, 3> closure_before_{};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "contact/touch.hpp"
 #include "contact/unit_ratios.hpp"
@@ -34,11 +35,84 @@ std::vector<EdgeLaw::Relaxing> relaxing_bodies(const Contact& contact, double so
   return bodies;
 }
 
+EdgeLaw law_of_smooth_faces(const Contact& contact, const ContactGrid& grid, double speed) {
+  EdgeLaw law;
+  if (has_single_point(contact)) return law;
+  const Touch met = touch(contact);
+  law.loss_time = met.loss_time;
+  law.relaxing = relaxing_bodies(contact, met.softness);
+  const double spacing = grid.points.spacing * grid.points.radius;
+  const double constant = opening_constant(met.circle);
+  for (std::size_t i = 0; i < grid.coordinate.size(); ++i) {
+    const double at = grid.coordinate[i];
+    const double mach = outrun * speed * met.slowness / (met.curvature * at);
+    const double opening = constant * met.curvature * std::sqrt(at) / (1.0 + mach * mach);
+    const double edges =
+        met.circle ? std::numbers::pi * grid.points.radius * std::sin(grid.points.angle(i)) : 1.0;  // pairs
+    law.force.push_back(force_constant * edges * opening * spacing * std::sqrt(spacing) / met.softness);
+    law.gap.push_back(gap_constant * opening * spacing * std::sqrt(spacing));
+  }
+  return law;
+}
+
+/// Projected area that each node and its mirror image stand for, R² or, on a line, R. The sum over rings from the
+/// middle of the first on is the integral but for h²/24 times the pressure there (Euler and Maclaurin).
+std::vector<double> projected_areas(const Contact& contact, const ContactGrid& grid) {
+  constexpr double first_ring = 11.0 / 12.0;
+  const bool circle = contact.first->contour == Contour::ball;
+  const double radius = grid.points.radius, width = 2.0 * radius * grid.points.spacing;
+  std::vector<double> area;
+  for (std::size_t i = 0; i < grid.points.count; ++i) {
+    const double angle = grid.points.angle(i), ring = i == 0 ? first_ring : 1.0;
+    area.push_back(width * std::cos(angle) * (circle ? std::numbers::pi * radius * std::sin(angle) * ring : 1.0));
+  }
+  return area;
+}
+
+/// Puts asperities in series with the law of smooth faces.
+void add_asperities(const Contact& contact, const ContactGrid& grid, double speed, EdgeLaw& law) {
+  constexpr double negligible = 1e-12;  // of the energy, and of the force that stops the body in the time of a wave
+  constexpr double smears = 3.0;        // fit: impacts on 24 to 256 rings agree best, to 1e-4 of what they lose on 32
+  const double length = law.asperities = contact.asperities;
+  const bool point = has_single_point(contact);  // which has no edge
+  law.edge_force = point ? std::vector{1.0} : law.force;
+  law.edge_gap = point ? std::vector{0.0} : law.gap;
+  for (double& each : law.edge_gap) {
+    const double square = each * each, smeared = smears * length;
+    each *= square == 0.0 ? 0.0 : square / (square + smeared * smeared);
+  }
+  law.force = point ? std::vector{1.0} : projected_areas(contact, grid);
+  const double area = std::accumulate(law.force.begin(), law.force.end(), 0.0);
+  const double pressure = negligible * contact.mass * speed * std::min(0.5 * speed / length, 1.0) / area;
+  for (double& each : law.force) each *= pressure;
+  law.gap.assign(law.force.size(), length * (std::log(contact.strength / length) - std::log(pressure)));
+  for (std::size_t i = 0; i < law.edge_gap.size(); ++i) law.gap[i] += law.edge_gap[i];
+}
+
 }  // namespace
 
 double EdgeLaw::energy_at(std::size_t i, double closure) const {
-  const double t = std::clamp(closure, 0.0, 1.0);
-  return full_force(i) * full_gap(i) * t * t * (1.0 - t * (4.0 / 3.0 - 0.5 * t));
+  const auto of_edge = [](double force, double gap, double t) {
+    return force * gap * t * t * (1.0 - t * (4.0 / 3.0 - 0.5 * t));
+  };
+  if (asperities == 0.0) return of_edge(full_force(i), full_gap(i), std::clamp(closure, 0.0, 1.0));
+  const double its = force_at(i, closure);
+  if (!(its > 0.0)) return 0.0;
+  const double of_asperities = its * (gap[i] - edge_gap[i] - asperities * closure) + asperities * (its - force[i]);
+  return of_asperities + of_edge(edge_force[i], edge_gap[i], edge_closure(i, closure));
+}
+
+bool EdgeLaw::pushes_at(const std::vector<double>& closure, std::size_t i) {
+  constexpr double share = 1e-6;
+  return closure[i] > std::max(0.0, *std::max_element(closure.begin(), closure.end()) + std::log(share));
+}
+
+double EdgeLaw::pressed(const std::vector<double>& closure) {
+  constexpr double share = 1e-3;
+  const double greatest = *std::max_element(closure.begin(), closure.end());
+  if (!(greatest > 0.0)) return 0.0;
+  const double least = std::max(0.0, greatest + std::log(share));
+  return static_cast<double>(std::count_if(closure.begin(), closure.end(), [&](double t) { return t > least; }));
 }
 
 double EdgeLaw::modulus_at(double time) const {
@@ -73,22 +147,8 @@ double EdgeLaw::range(const std::vector<double>& recess) const {
 }
 
 EdgeLaw edge_law(const Contact& contact, const ContactGrid& grid, double speed) {
-  EdgeLaw law;
-  if (has_single_point(contact)) return law;
-  const Touch met = touch(contact);
-  law.loss_time = met.loss_time;
-  law.relaxing = relaxing_bodies(contact, met.softness);
-  const double spacing = grid.points.spacing * grid.points.radius;
-  const double constant = opening_constant(met.circle);
-  for (std::size_t i = 0; i < grid.coordinate.size(); ++i) {
-    const double at = grid.coordinate[i];
-    const double mach = outrun * speed * met.slowness / (met.curvature * at);
-    const double opening = constant * met.curvature * std::sqrt(at) / (1.0 + mach * mach);
-    const double edges =
-        met.circle ? std::numbers::pi * grid.points.radius * std::sin(grid.points.angle(i)) : 1.0;  // pairs
-    law.force.push_back(force_constant * edges * opening * spacing * std::sqrt(spacing) / met.softness);
-    law.gap.push_back(gap_constant * opening * spacing * std::sqrt(spacing));
-  }
+  EdgeLaw law = law_of_smooth_faces(contact, grid, speed);
+  if (contact.asperities > 0.0) add_asperities(contact, grid, speed, law);
   return law;
 }
 

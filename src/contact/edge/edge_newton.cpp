@@ -150,7 +150,7 @@ bool find_closures(Compliance& compliance, const EdgeLaw& law, const std::vector
       constexpr int most_halvings = 40;
       double share = 1.0;
       for (int halving = 0; halving < most_halvings; ++halving) {
-        for (std::size_t i = 0; i < next.size(); ++i) next[i] = closure[i] + share * along[i];
+        for (std::size_t i = 0; i < next.size(); ++i) next[i] = law.moved(closure[i], share * along[i]);
         left = residual(compliance, law, q, next);
         if (norm(left, q, scale) < size) return true;
         share *= 0.5;

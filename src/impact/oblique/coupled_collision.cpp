@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/demands.hpp"
 #include "contact/friction.hpp"
 #include "contact/hard_contact.hpp"
 #include "contact/touch.hpp"
@@ -43,6 +44,7 @@ CoupledCollision::CoupledCollision(const Contact& contact, const std::vector<Con
                   .replicate(static_cast<Index>(along.size()), 1)),
       range_(law_.range(grid.recess)),
       touch_(touch_compression(contact, grid)),
+      threshold_(force_that_counts(contact, std::sqrt(2.0 * frame.normal_energy / frame.mass))),
       lossy_(loses(contact)),
       first_share_(loss_share(contact)),
       start_compression_(start ? contact_.extent + start->center
@@ -59,7 +61,7 @@ CoupledCollision::CoupledCollision(const Contact& contact, const std::vector<Con
   }
   center_.start(start_compression_);
   respond();
-  if (center_.force() > 0.0) {
+  if (center_.force() > 0.0 && contact_.asperities == 0.0) {
     throw InvalidInput::conflict("start", "the body already touches the wall", "move its center back");
   }
   modes_.begin();
@@ -123,7 +125,7 @@ void CoupledCollision::advance() {
 void CoupledCollision::record() {
   // As Collision: the foremost point has moved uniformly from its last position out of contact.
   const double touching = touch_ - recess_(0), moved = foremost_ - foremost_before_;
-  history_.add(center_.force() > 0.0, moved > 0.0 ? std::min(1.0, (foremost_ - touching) / moved) : 0.5);
+  history_.add(center_.force() > threshold_, moved > 0.0 ? std::min(1.0, (foremost_ - touching) / moved) : 0.5);
   if (!history_.in_contact()) return;
   if (history_.samples_energy()) modes_.accumulate_energy();
   history_.add_extent(compression() - touch_, nodes_.half_width() * points_.spacing * points_.radius);

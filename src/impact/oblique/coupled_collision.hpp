@@ -37,7 +37,7 @@ class CoupledCollision {
   void advance();
 
   /// The contact has reached the end of the grid, so that the result is void.
-  [[nodiscard]] bool overflows() const { return nodes_.extent() == points_.count; }
+  [[nodiscard]] bool overflows() const { return nodes_.overflows(); }
 
   /// They recede and can touch no more.
   [[nodiscard]] bool over();
@@ -89,7 +89,7 @@ class CoupledCollision {
   std::optional<TangentialMotion> along_;  // empty: rings
   ContactHistory history_;
   Eigen::VectorXd recess_;
-  double range_, touch_;
+  double range_, touch_, threshold_;
   bool lossy_;
   double first_share_;  // of the first body in what the edge law takes
   double start_compression_, start_energy_ = 0.0;

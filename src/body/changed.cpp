@@ -1,0 +1,86 @@
+// What belongs to a body beside its modes: how its material relaxes, how rough it is.
+#include "body/changed.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "check.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+using Change = std::function<Body(const Body&)>;
+
+/// A function that makes one body or several, which are then changed.
+template <typename... Given>
+void change_results(std::function<Body(Given...)>& make, const Change& change) {
+  if (make) make = [make, change](Given... given) { return change(make(given...)); };
+}
+
+template <typename... Given>
+void change_results(std::function<std::vector<Body>(Given...)>& make, const Change& change) {
+  if (!make) return;
+  make = [make, change](Given... given) {
+    std::vector<Body> bodies;
+    for (const Body& each : make(given...)) bodies.push_back(change(each));
+    return bodies;
+  };
+}
+
+double unit_of_time(const BodyScale& scale) { return scale.length / scale.speed; }
+
+}  // namespace
+
+Body changed(Body body, const Change& change) {
+  change_results(body.near_side, change);
+  change_results(body.along, change);
+  change_results(body.outward, change);
+  change_results(body.known.alternatives, change);
+  change_results(body.known.alternatives_along, change);
+  return body;
+}
+
+Body relaxing(const Body& body, const Relaxation& relaxation) {
+  validate(relaxation);
+  if (relaxation.terms.empty()) return body;
+  if (body.loss_time > 0.0) {
+    throw InvalidInput::conflict("relaxation", "'" + body.name + "' has a loss time too", "give one of both");
+  }
+  if (!body.layers.empty()) {
+    throw InvalidInput::conflict("relaxation", "the layers of '" + body.name + "' have losses of their own",
+                                 "give one of both");
+  }
+  if (body.softness == 0.0) {
+    throw InvalidInput::conflict("relaxation", "'" + body.name + "' is rigid, and relaxes nothing", "leave it out");
+  }
+  Body result = changed(body, [relaxation, scale = body.scale](const Body& each) {
+    return relaxing(each, in_time(relaxation, unit_of_time(scale) / unit_of_time(each.scale)));
+  });
+  result.relaxation = relaxation;
+  return result;
+}
+
+BodyMaker relaxing(const BodyMaker& maker, const Relaxation& relaxation) {
+  validate(relaxation);
+  if (relaxation.terms.empty()) return maker;
+  return [maker, relaxation](double cutoff, const Poll& poll) { return relaxing(maker(cutoff, poll), relaxation); };
+}
+
+Body rough(const Body& body, double asperities) {
+  require("asperities", asperities, {0.0, 1.0, true, true, "0 to 1"}, "length of the asperities in R");
+  if (asperities == 0.0) return body;
+  Body result = changed(body, [asperities, scale = body.scale](const Body& each) {
+    return rough(each, asperities * scale.length / each.scale.length);
+  });
+  result.asperities = asperities;
+  return result;
+}
+
+BodyMaker rough(const BodyMaker& maker, double asperities) {
+  require("asperities", asperities, {0.0, 1.0, true, true, "0 to 1"}, "length of the asperities in R");
+  if (asperities == 0.0) return maker;
+  return [maker, asperities](double cutoff, const Poll& poll) { return rough(maker(cutoff, poll), asperities); };
+}
+
+}  // namespace stoss
