@@ -18,7 +18,8 @@ EdgeContact::EdgeContact(std::shared_ptr<const FactoredCompliance> compliance, E
       poll_(std::move(poll)),
       inner_(compliance_->size()),
       closure_(compliance_->size()),
-      change_(law_.asperities > 0.0 ? compliance_->size() : 0) {}
+      change_(law_.asperities > 0.0 ? compliance_->size() : 0),
+      bend_(change_.size()) {}
 
 double EdgeContact::half_width() const {
   // By as much the closures of a zone exceed, on average over its place, what lies within the edge.
@@ -188,18 +189,6 @@ void EdgeContact::reset_closures(const std::vector<double>& q) {
   for (std::size_t i = 0; i < q.size(); ++i) closure_[i] = law_.first_closure(i, -q[i], own);
 }
 
-/// By asperities that are long at first, and then less so: what is soft is found from any start.
-bool EdgeContact::solved_from_softer(const std::vector<double>& q, double scale) {
-  if (law_.asperities == 0.0) return false;
-  const double length = law_.asperities;
-  reset_closures(q);
-  for (law_.asperities = std::max(length, scale); law_.asperities > length; law_.asperities *= 0.25) {
-    if (!solve_all(*compliance_, law_, q, scale, poll_, closure_)) break;
-  }
-  law_.asperities = length;
-  return solve_all(*compliance_, law_, q, scale, poll_, closure_);
-}
-
 void EdgeContact::solve_generally(const std::vector<double>& q, double scale, std::vector<double>& force,
                                   std::vector<double>& displacement) {
   const std::size_t size = compliance_->size();
@@ -210,15 +199,17 @@ void EdgeContact::solve_generally(const std::vector<double>& q, double scale, st
     closure_[i] = law_.asperities > 0.0 ? law_.first_closure(i, behind, own) : law_.free_closure(i, behind);
   }
   const std::vector<double> before = closure_;
-  for (std::size_t i = 0; i < change_.size() && i < extent_; ++i) closure_[i] += change_[i];
+  for (std::size_t i = 0; i < change_.size() && i < extent_; ++i) closure_[i] += change_[i] + bend_[i];
   const auto solved = [&] { return solve_all(*compliance_, law_, q, scale, poll_, closure_); };
-  if (!solved() && !(reset_closures(q), solved()) && !solved_from_softer(q, scale)) {
+  if (!solved() && !(reset_closures(q), solved())) {
     throw NotConverged(
         "contact: no forces at the nodes obey the law of contact (another resolution may do; please report the input)");
   }
-  constexpr double longest = 2.0;
+  constexpr double longest = 1e3;
   for (std::size_t i = 0; i < change_.size(); ++i) {
-    change_[i] = i < extent_ ? std::clamp(closure_[i] - before[i], -longest, longest) : 0.0;
+    const double change = i < extent_ ? std::clamp(closure_[i] - before[i], -longest, longest) : 0.0;
+    bend_[i] = change == 0.0 || change_[i] == 0.0 ? 0.0 : std::clamp(change - change_[i], -0.5, 0.5);
+    change_[i] = change;
   }
   extent_ = rigid_ = 0;
   for (std::size_t i = 0; i < size; ++i) {

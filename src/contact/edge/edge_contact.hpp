@@ -60,7 +60,6 @@ class EdgeContact {
                   std::vector<double>& displacement);
   void solve_generally(const std::vector<double>& q, double scale, std::vector<double>& force,
                        std::vector<double>& displacement);
-  bool solved_from_softer(const std::vector<double>& q, double scale);
   void reset_closures(const std::vector<double>& q);
   void solve_point(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement);
   void find_zone(std::size_t rigid);
@@ -69,9 +68,9 @@ class EdgeContact {
   std::shared_ptr<const FactoredCompliance> compliance_;
   EdgeLaw law_;
   Poll poll_;
-  std::vector<double> inner_;    // L⁻¹ q; then Lᵀ f
-  std::vector<double> closure_;  // t of each node
-  std::vector<double> change_;   // of t in the last step, of asperities
+  std::vector<double> inner_;          // L⁻¹ q; then Lᵀ f
+  std::vector<double> closure_;        // t of each node
+  std::vector<double> change_, bend_;  // of t in the last step of asperities, and of that change
   EdgeZone zone_;
   bool in_zone_ = false;  // the last solution of the zone is one
   std::array<double, 3> closure_before_{};

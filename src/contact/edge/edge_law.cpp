@@ -102,6 +102,21 @@ double EdgeLaw::energy_at(std::size_t i, double closure) const {
   return of_asperities + of_edge(edge_force[i], edge_gap[i], edge_closure(i, closure));
 }
 
+double EdgeLaw::moved(std::size_t i, double closure, double change, double own) const {
+  constexpr double small = 0.05;
+  constexpr int rounds = 8;
+  if (asperities == 0.0 || std::abs(change) < small) return closure + change;
+  // a eᵗ + t = s, from above: convex.
+  const double a = own * force[i] / asperities, f = closure > 0.0 ? a * std::exp(closure) : 0.0;
+  const double s = closure + change + f * (1.0 + change);
+  double t = s > 0.0 ? std::min(s, std::max(0.0, std::log(s / a))) : s;
+  for (int round = 0; round < rounds; ++round) {
+    const double its = a * std::exp(t);
+    t -= (its + t - s) / (its + 1.0);
+  }
+  return t;
+}
+
 bool EdgeLaw::pushes_at(const std::vector<double>& closure, std::size_t i) {
   constexpr double share = 1e-6;
   return closure[i] > std::max(0.0, *std::max_element(closure.begin(), closure.end()) + std::log(share));

@@ -81,11 +81,10 @@ struct EdgeLaw {
     return closure < 1.0 ? 2.0 * full_gap(i) * (1.0 - closure) : 0.0;
   }
 
-  /// t after a step of Newton's method: of asperities one in f where it rises and in ln f where it falls, so that none
-  /// leaps.
-  [[nodiscard]] double moved(double closure, double change) const {
-    return asperities > 0.0 && change > 0.0 ? closure + std::log1p(change) : closure + change;
-  }
+  /// t after a step of Newton's method; of asperities that with which the node by itself, w f + u₀ t, moves as the step
+  /// has it, however far that is.
+  /// @param own compliance of the node alone, w
+  [[nodiscard]] double moved(std::size_t i, double closure, double change, double own) const;
 
   /// t of a node that has no force, and lies behind by a distance.
   [[nodiscard]] double free_closure(std::size_t i, double behind) const {

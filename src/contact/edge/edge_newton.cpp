@@ -58,11 +58,15 @@ bool solve(const FactoredCompliance& compliance, const std::vector<Index>& nodes
   const auto w = compliance.matrix();
   const auto m = static_cast<Index>(nodes.size());
   MatrixXd block(m, m);
-  for (Index b = 0; b < m; ++b) {
-    for (Index a = b; a < m; ++a)
-      block(a, b) = w(nodes[static_cast<std::size_t>(a)], nodes[static_cast<std::size_t>(b)]);
-    block(b, b) += diagonal(b);
+  if (nodes.back() + 1 == m) {
+    block = w.transpose().topLeftCorner(m, m);  // by columns: it is symmetric
+  } else {
+    for (Index b = 0; b < m; ++b) {
+      for (Index a = b; a < m; ++a)
+        block(a, b) = w(nodes[static_cast<std::size_t>(a)], nodes[static_cast<std::size_t>(b)]);
+    }
   }
+  block.diagonal() += diagonal;
   const Eigen::LLT<Eigen::Ref<MatrixXd>> factored(block);
   if (factored.info() != Eigen::Success) return false;
   factored.solveInPlace(x);
@@ -132,11 +136,17 @@ std::vector<double> step(Compliance& compliance, const EdgeLaw& law, const std::
   return result;
 }
 
+bool is_small(const std::vector<double>& change) {
+  constexpr double most = 1e-6;
+  return std::all_of(change.begin(), change.end(), [](double each) { return std::abs(each) <= most; });
+}
+
 /// Newton's method with steps halved while the residual does not fall.
 template <typename Compliance>
 bool find_closures(Compliance& compliance, const EdgeLaw& law, const std::vector<double>& q, double scale,
                    const Poll& poll, std::vector<double>& closure) {
   constexpr int most = 200;
+  const auto& w = entries(compliance);
   VectorXd rest = residual(compliance, law, q, closure);
   for (int iteration = 0; iteration < most; ++iteration) {
     if (poll) poll();
@@ -144,13 +154,20 @@ bool find_closures(Compliance& compliance, const EdgeLaw& law, const std::vector
     if (size <= rounding) return true;
     std::vector<double> change = step(compliance, law, closure, rest);
     if (change.empty()) return false;
+    if (law.asperities > 0.0 && is_small(change)) {  // the next would be its square
+      for (std::size_t i = 0; i < closure.size(); ++i) closure[i] += change[i];
+      return true;
+    }
     std::vector<double> next(closure.size());
     VectorXd left;
     const auto shortened = [&](const std::vector<double>& along) {
       constexpr int most_halvings = 40;
       double share = 1.0;
       for (int halving = 0; halving < most_halvings; ++halving) {
-        for (std::size_t i = 0; i < next.size(); ++i) next[i] = law.moved(closure[i], share * along[i]);
+        for (std::size_t i = 0; i < next.size(); ++i) {
+          const auto k = static_cast<Index>(i);
+          next[i] = law.moved(i, closure[i], share * along[i], w(k, k));
+        }
         left = residual(compliance, law, q, next);
         if (norm(left, q, scale) < size) return true;
         share *= 0.5;
