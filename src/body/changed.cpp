@@ -28,6 +28,13 @@ void change_results(std::function<std::vector<Body>(Given...)>& make, const Chan
   };
 }
 
+/// R/E, as coats have it.
+double unit_of_coats(const Body& body) {
+  const BodyScale& its = body.scale;
+  const double area = body.contour == Contour::ball ? its.length * its.length : its.length;
+  return area * its.length * its.length * body.mass / (its.mass * its.speed * its.speed);
+}
+
 double unit_of_time(const BodyScale& scale) { return scale.length / scale.speed; }
 
 }  // namespace
@@ -81,6 +88,40 @@ BodyMaker rough(const BodyMaker& maker, double asperities) {
   require("asperities", asperities, {0.0, 1.0, true, true, "0 to 1"}, "length of the asperities in R");
   if (asperities == 0.0) return maker;
   return [maker, asperities](double cutoff, const Poll& poll) { return rough(maker(cutoff, poll), asperities); };
+}
+
+void validate(const Coat& coat) {
+  const Range range{0.0, 1e12, true, true, "0 to 1e12"};
+  require("coat", coat.compliance, range, "thickness over modulus in R/E");
+  require("coat along", coat.along, range, "thickness over shear modulus in R/E");
+  validate(coat.relaxation);
+}
+
+Body coated(const Body& body, const Coat& coat) {
+  validate(coat);
+  if (coat.compliance == 0.0) return body;
+  const double own_compliance = unit_of_coats(body), own_time = unit_of_time(body.scale);
+  Body result = changed(body, [coat, own_compliance, own_time](const Body& each) {
+    const double ratio = own_compliance / unit_of_coats(each), time = own_time / unit_of_time(each.scale);
+    return coated(each, {coat.compliance * ratio, coat.along * ratio, in_time(coat.relaxation, time)});
+  });
+  if (result.along) {
+    result.along = [along = result.along](const Poll& poll) {
+      std::vector<Body> bodies = along(poll);
+      for (Body& each : bodies) {
+        if (each.components == 1) each.coat.compliance = each.coat.along;  // it moves along its face alone
+      }
+      return bodies;
+    };
+  }
+  result.coat = coat;
+  return result;
+}
+
+BodyMaker coated(const BodyMaker& maker, const Coat& coat) {
+  validate(coat);
+  if (coat.compliance == 0.0) return maker;
+  return [maker, coat](double cutoff, const Poll& poll) { return coated(maker(cutoff, poll), coat); };
 }
 
 }  // namespace stoss

@@ -174,7 +174,8 @@ Relaxation relaxation(const Contact& contact, std::size_t group) {
 }
 
 bool loses(const Contact& contact) {
-  return loses(*contact.first) || (contact.second != nullptr && loses(*contact.second));
+  const auto its = [](const Body& body) { return loses(body) || !body.coat.relaxation.terms.empty(); };
+  return its(*contact.first) || (contact.second != nullptr && its(*contact.second));
 }
 
 double longest_loss_time(const Contact& contact) {

@@ -102,6 +102,16 @@ struct Load {
   double duration = 0.0;
 };
 
+/// A thin soft layer on the face of a body, which gives way by the pressure times a compliance where it is pressed, as
+/// its thickness over its modulus, h/M, and along the face by h/G (coated).
+struct Coat {
+  double compliance = 0.0;  ///< h/M with the constrained modulus M, R/E of the body
+  double along = 0.0;       ///< h/G with the shear modulus, R/E
+  Relaxation relaxation{};  ///< of its material, times in R/c; E is then that at once
+
+  bool operator==(const Coat&) const = default;
+};
+
 struct Body;
 
 /// Limits of a body that is known at one point (ModalBody); other bodies have none.
@@ -145,6 +155,7 @@ struct Body {
   Relaxation relaxation{};  ///< of a material that relaxes, times in R/c; instead of a loss time (relaxing)
   std::vector<MaterialLoss> layers{};  ///< of layers that lose energy in different ways, times in R/c: both numbers
                                        ///< above are then those of the uppermost one, at the surface
+  Coat coat{};              ///< on its face; a compliance of 0: none
   double asperities = 0.0;  ///< u₀ of its rough face, R: pressure falls as e^{−gap/u₀} (rough); 0: smooth
   double cutoff = 0.0;      ///< all modes with ω ≤ kept_cutoff(body) are in `groups` (but see with_modes)
   double highest_cutoff = std::numeric_limits<double>::infinity();  ///< that such a body can be made with
@@ -211,6 +222,15 @@ using BodyMaker = std::function<Body(double cutoff, const Poll& poll)>;
 
 /// Makes such a body at any cutoff; of 0 the body itself.
 [[nodiscard]] BodyMaker rough(const BodyMaker& maker, double asperities);
+
+/// The same body with a coat, thin beside the contact and so soft that its pressure follows its closure at the same
+/// point alone, p = (M/h) · closure (Winkler's foundation; K. L. Johnson, Contact Mechanics, 1985, §4.3). Its mass does
+/// not count, and it carries no tension.
+/// @throws InvalidInput for a compliance below 0 or not finite, and as validate(Relaxation)
+[[nodiscard]] Body coated(const Body& body, const Coat& coat);
+
+/// Makes such a body at any cutoff; of a coat without compliance the body itself.
+[[nodiscard]] BodyMaker coated(const BodyMaker& maker, const Coat& coat);
 
 /// Checks what a contact relies on: positive finite scale, mass and cutoff, groups with arrays of one length, finite
 /// weights and 0 < ω ≤ kept_cutoff(body), and all functions.

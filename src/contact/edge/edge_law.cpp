@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "contact/projected_areas.hpp"
 #include "contact/touch.hpp"
 #include "contact/unit_ratios.hpp"
 #include "stoss/contact/grid.hpp"
@@ -17,6 +18,36 @@ constexpr double force_constant = 0.7145;  // of two edges of unit length, those
 constexpr double gap_constant = 0.6177;
 constexpr double least = 1e-6;  // that a law is scaled by
 constexpr double outrun = 0.5;  // fit: the edge, which moves at v/(y/R), opens a smaller gap above the wave speed
+
+/// Of both coats, R/E of the first body.
+double coat_compliance(const Contact& contact) {
+  double sum = 0.0;
+  for (int number = 0; number < 2; ++number) {
+    const auto body = body_of(contact, number);
+    if (body == nullptr || body->coat.compliance == 0.0) continue;
+    const UnitRatios units = units_of(contact, number);
+    sum += body->coat.compliance * units.length / units.stress;
+  }
+  return sum;
+}
+
+/// Makes it the law of a coat where that is as soft as the bodies over a spacing. A coat alone, whose closure falls
+/// with the slope s from the middle of a node's width h on, has the law f = f*(…)² exactly, with g* = sh/2 and f* = A
+/// g*/C. The slope at the edge of a contact that bodies flatten but for the length ℓ = C E* is that of Hertz' gap
+/// there.
+void add_coats(const Contact& contact, const ContactGrid& grid, EdgeLaw& law) {
+  const double compliance = coat_compliance(contact);
+  if (compliance == 0.0) return;
+  const Touch met = touch(contact);
+  const double length = compliance / met.softness, spacing = grid.points.spacing * grid.points.radius;
+  const std::vector<double> area = projected_areas(contact, grid.points);
+  for (std::size_t i = 0; i < law.gap.size(); ++i) {
+    const double at = grid.coordinate[i], slope = met.curvature * at * std::sqrt(length / (length + at));
+    const double of_bodies = law.gap[i] / law.force[i];
+    law.gap[i] = std::hypot(law.gap[i], 0.5 * slope * spacing);
+    law.force[i] = law.gap[i] / (of_bodies + compliance / area[i]);
+  }
+}
 
 /// What stands before √a s^{3/2}/R in the gap at a distance s from the edge of a Hertzian contact.
 double opening_constant(bool circle) {
@@ -55,20 +86,6 @@ EdgeLaw law_of_smooth_faces(const Contact& contact, const ContactGrid& grid, dou
   return law;
 }
 
-/// Projected area that each node and its mirror image stand for, R² or, on a line, R. The sum over rings from the
-/// middle of the first on is the integral but for h²/24 times the pressure there (Euler and Maclaurin).
-std::vector<double> projected_areas(const Contact& contact, const ContactGrid& grid) {
-  constexpr double first_ring = 11.0 / 12.0;
-  const bool circle = contact.first->contour == Contour::ball;
-  const double radius = grid.points.radius, width = 2.0 * radius * grid.points.spacing;
-  std::vector<double> area;
-  for (std::size_t i = 0; i < grid.points.count; ++i) {
-    const double angle = grid.points.angle(i), ring = i == 0 ? first_ring : 1.0;
-    area.push_back(width * std::cos(angle) * (circle ? std::numbers::pi * radius * std::sin(angle) * ring : 1.0));
-  }
-  return area;
-}
-
 /// Puts asperities in series with the law of smooth faces.
 void add_asperities(const Contact& contact, const ContactGrid& grid, double speed, EdgeLaw& law) {
   constexpr double negligible = 1e-12;  // of the energy, and of the force that stops the body in the time of a wave
@@ -81,7 +98,7 @@ void add_asperities(const Contact& contact, const ContactGrid& grid, double spee
     const double square = each * each, smeared = smears * length;
     each *= square == 0.0 ? 0.0 : square / (square + smeared * smeared);
   }
-  law.force = point ? std::vector{1.0} : projected_areas(contact, grid);
+  law.force = projected_areas(contact, grid.points);
   const double area = std::accumulate(law.force.begin(), law.force.end(), 0.0);
   const double pressure = negligible * contact.mass * speed * std::min(0.5 * speed / length, 1.0) / area;
   for (double& each : law.force) each *= pressure;
@@ -163,6 +180,7 @@ double EdgeLaw::range(const std::vector<double>& recess) const {
 
 EdgeLaw edge_law(const Contact& contact, const ContactGrid& grid, double speed) {
   EdgeLaw law = law_of_smooth_faces(contact, grid, speed);
+  add_coats(contact, grid, law);
   if (contact.asperities > 0.0) add_asperities(contact, grid, speed, law);
   return law;
 }

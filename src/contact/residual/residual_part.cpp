@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "contact/group_loss.hpp"
+#include "contact/projected_areas.hpp"
 #include "contact/unit_ratios.hpp"
 #include "numeric/damped_oscillator.hpp"
 #include "numeric/dense.hpp"
@@ -89,6 +90,27 @@ std::vector<ResidualPart> residual_parts(const Contact& contact, const ContactGr
   return alone({residual_compliance(contact, grid, poll),
                 [&contact, &grid, poll] { return residual_second_moment(contact, grid, poll); }, grid.impedance,
                 contact.cutoff});
+}
+
+std::vector<ResidualPart> coats(const Contact& contact, const ContactGrid& grid) {
+  std::vector<ResidualPart> parts;
+  for (int number = 0; number < 2; ++number) {
+    const auto body = body_of(contact, number);
+    if (body == nullptr || body->coat.compliance == 0.0) continue;
+    const UnitRatios units = units_of(contact, number);
+    const std::vector<double> area = projected_areas(contact, grid.points);
+    const std::size_t values = grid.recess.size(), points = area.size();
+    ResidualPart part;
+    part.compliance.resize(values * values);
+    for (std::size_t i = 0; i < values; ++i) {
+      const double its = i < points ? body->coat.compliance : body->coat.along;
+      part.compliance[i * values + i] = its * units.length / (units.stress * area[i % points]);
+    }
+    part.creep = creep(Rates(in_time(body->coat.relaxation, units.time)));
+    part.body = static_cast<std::size_t>(number);
+    parts.push_back(std::move(part));
+  }
+  return parts;
 }
 
 namespace dense = numeric::dense;

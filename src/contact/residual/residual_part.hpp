@@ -37,6 +37,10 @@ using Residual = std::function<std::vector<double>(const ContactPoints&, const P
 [[nodiscard]] std::vector<ResidualPart> residual_parts(const Contact& contact, const ContactGrid& grid,
                                                        const Poll& poll);
 
+/// The coats of both bodies, which have no mass: the compliance of each point by itself, over the area that it stands
+/// for (projected_areas).
+[[nodiscard]] std::vector<ResidualPart> coats(const Contact& contact, const ContactGrid& grid);
+
 /// Adds the compliance between the points with which the kept modes follow a force at once, beside the kicks of period
 /// Δt. It is what the kicks leave out (docs/developer/numerics.md, section 2): without losses they move a mode under a
 /// constant force by (Δt/2ω) cot(ωΔt/2) instead of 1/ω². Where a body has a loss time it is more, and the kicks are

@@ -27,11 +27,16 @@ Residuals::Residuals(const Contact& contact, const ContactGrid& grid, ResidualMo
     bodies_.push_back(part.body);
     parts_.emplace_back(std::move(part), contact, grid, inertia, step, poll);
   }
-  if (!lossy_) return;
+  for (ResidualPart& coat : coats(contact, grid)) {
+    bodies_.push_back(coat.body);
+    parts_.emplace_back(std::move(coat), contact, grid, ResidualMotion::Inertia::none, step, poll);
+  }
+  joined_ = parts_.size() == 1 && !lossy_;
+  if (joined_) return;
   const std::size_t nodes = grid.recess.size();
   free_.resize(nodes);
   displacement_.resize(parts_.size(), std::vector<double>(nodes));
-  if (inertia == ResidualMotion::Inertia::none) return;
+  if (!lossy_ || inertia == ResidualMotion::Inertia::none) return;
   const auto size = static_cast<Eigen::Index>(nodes);
   kicks_ = numeric::dense::zeros(nodes * nodes, poll);
   add_kick_compliance(contact, grid, step, poll, Eigen::MatrixXd::Map(kicks_.data(), size, size));
@@ -39,13 +44,13 @@ Residuals::Residuals(const Contact& contact, const ContactGrid& grid, ResidualMo
 
 std::vector<double> Residuals::compliance(const Poll& poll) const {
   std::vector<double> sum = numeric::dense::copy(parts_.front().compliance(), poll);
-  if (parts_.size() > 1) add(parts_.back().compliance(), sum);
-  add(kicks_, sum);
+  for (std::size_t k = 1; k < parts_.size(); ++k) add(parts_[k].compliance(), sum);
+  if (!kicks_.empty()) add(kicks_, sum);
   return sum;
 }
 
 const std::vector<double>& Residuals::predict() {
-  if (!lossy_) return parts_.front().predict();
+  if (joined_) return parts_.front().predict();
   std::fill(free_.begin(), free_.end(), 0.0);
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     displacement_[k] = parts_[k].predict();
@@ -55,7 +60,7 @@ const std::vector<double>& Residuals::predict() {
 }
 
 void Residuals::move(const std::vector<double>& displacement, const std::vector<double>& force, std::size_t count) {
-  if (!lossy_) return parts_.front().move(displacement, force);
+  if (joined_) return parts_.front().move(displacement, force);
   const std::size_t nodes = displacement.size();
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     kernels::multiply_transposed(parts_[k].compliance().data(), nodes, count, 0, nodes, force.data(), free_.data());
@@ -66,13 +71,13 @@ void Residuals::move(const std::vector<double>& displacement, const std::vector<
 
 std::array<double, 2> Residuals::dissipated() const {
   std::array<double, 2> each{};
-  for (std::size_t k = 0; k < parts_.size(); ++k) each[bodies_[k]] = parts_[k].dissipated();
+  for (std::size_t k = 0; k < parts_.size(); ++k) each[bodies_[k]] += parts_[k].dissipated();
   return each;
 }
 
 std::array<double, 2> Residuals::stored() const {
   std::array<double, 2> each{};
-  for (std::size_t k = 0; k < parts_.size(); ++k) each[bodies_[k]] = parts_[k].stored();
+  for (std::size_t k = 0; k < parts_.size(); ++k) each[bodies_[k]] += parts_[k].stored();
   return each;
 }
 

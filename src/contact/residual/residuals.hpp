@@ -10,7 +10,8 @@
 namespace stoss {
 
 /// The modes of all bodies that are not kept, part by part in series under one force, u = Σ u_k, u_k = W′_k f + h_k. In
-/// lossy bodies what the kicks leave out of the kept modes is a further part, A f, which loses nothing.
+/// lossy bodies what the kicks leave out of the kept modes is a further part, A f, which loses nothing; and so are
+/// coats.
 class Residuals {
  public:
   Residuals(const Contact& contact, const ContactGrid& grid, ResidualMotion::Inertia inertia, double step,
@@ -35,6 +36,7 @@ class Residuals {
   std::vector<ResidualMotion> parts_;
   std::vector<std::size_t> bodies_;  // of each
   bool lossy_;
+  bool joined_ = false;                            // one part, which has all there is
   std::vector<double> kicks_;                      // A, nodes × nodes; in lossy bodies, empty if it is 0
   std::vector<double> free_;                       // of lossy bodies
   std::vector<std::vector<double>> displacement_;  // of each part
