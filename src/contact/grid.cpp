@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "check.hpp"
+#include "contact/faces/coats.hpp"
 #include "contact/residual/residual_part.hpp"
 #include "contact/touch.hpp"
 #include "contact/unit_ratios.hpp"
@@ -80,14 +81,8 @@ std::vector<double> residual_sum(const Contact& contact, const ContactGrid& grid
   return sum;
 }
 
-}  // namespace
-
-double greatest_half_width(const Contact& contact) {
-  return has_single_point(contact) ? 0.0 : greatest_angle(contact) * contact.radius;
-}
-
-double expected_half_width(const Contact& contact, double speed) {
-  if (has_single_point(contact)) return 0.0;
+/// Of Hertz' contact of bare faces.
+double bare_half_width(const Contact& contact, double speed) {
   const Touch met = touch(contact);
   if (met.circle) {
     // Hertz: the energy of the approach is (8/15) δ^{5/2}/(D √curvature), a² = δ/curvature.
@@ -103,9 +98,9 @@ double expected_half_width(const Contact& contact, double speed) {
   return 2.0 * std::sqrt(force * met.softness / met.curvature);
 }
 
-double expected_duration(const Contact& contact, double speed) {
+double bare_duration(const Contact& contact, double speed) {
   const Touch met = touch(contact);
-  const double width = expected_half_width(contact, speed);
+  const double width = bare_half_width(contact, speed);
   if (met.circle && contact.keeps_displacement) {
     const auto [inelasticity, unit] = zener_scales(contact, speed);
     return zener_impact(inelasticity).duration * unit;
@@ -114,6 +109,26 @@ double expected_duration(const Contact& contact, double speed) {
   // The impulse 2μv over the maximum force, times the shape of the pulse.
   const double force = 0.25 * width * width * met.curvature / met.softness;
   return 3.3 * speed * contact.whole_mass / whole_mass(*contact.first) / force;
+}
+
+}  // namespace
+
+double greatest_half_width(const Contact& contact) {
+  return has_single_point(contact) ? 0.0 : greatest_angle(contact) * contact.radius;
+}
+
+double expected_half_width(const Contact& contact, double speed) {
+  if (has_single_point(contact)) return 0.0;
+  const double of_coats = 2.0 * coat_compression(contact, speed) / touch(contact).curvature;
+  return of_coats == 0.0 ? bare_half_width(contact, speed)
+                         : std::sqrt(std::pow(bare_half_width(contact, speed), 2) + of_coats);
+}
+
+double expected_duration(const Contact& contact, double speed) {
+  constexpr double of_coat = 2.8043642106509084;  // 2 ∫₀¹ dx/√(1 − x³)
+  constexpr double of_asperities = 14.0;          // lengths, in which a force rises and falls by a thousand
+  const double softer = of_coat * coat_compression(contact, speed) + of_asperities * contact.asperities;
+  return bare_duration(contact, speed) + softer / speed;
 }
 
 ContactGrid contact_grid(const Contact& contact, double half_width, int nodes) {

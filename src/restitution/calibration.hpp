@@ -39,7 +39,8 @@ inline constexpr double unresolved_at_a_point = 0.5;     // of U, the same rods
 inline constexpr double nodes_of_balls = 12.0, nodes_on_a_line = 2.1;
 inline constexpr double relaxing_nodes = 0.7, always_left = 0.03;  // nodes that relax (numerics, 9; 2026-11-29)
 
-inline constexpr double nodes_of_asperities = 0.15;  // of what is lost, over n²: 60 rough impacts (2026-11-29)
+// Rough and coated faces, of what is lost, over n²: 60 impacts of each (numerics, 16; 2026-11-29).
+inline constexpr double nodes_of_asperities = 0.15, nodes_of_coats = 1.5;
 
 // Half-spaces: reference_half_spaces.csv (2026-11-22). Plates: 60 random impacts, reference_plates.csv (2026-11-28).
 inline constexpr double least_returned = 0.5;  // of the doubt, where only the body gives back

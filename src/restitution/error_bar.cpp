@@ -11,6 +11,7 @@
 #include "restitution/ladder/climb.hpp"
 #include "restitution/layer_doubt.hpp"
 #include "restitution/loss_shares.hpp"
+#include "restitution/node_errors.hpp"
 
 namespace stoss {
 namespace {
@@ -62,38 +63,6 @@ Missing missing_of_balls(double cutoff, double speed) {
                  {"fast_of_balls", fast_of_balls, fast_of_balls * whole});
 }
 
-/// Share of the error by nodes that is left where each of them relaxes while the edge passes it: n nodes in a time t,
-/// 2 η n/t or some τ n/t of them in the time of relaxation. Each term counts as it loses in an impact.
-double left_by_relaxing(const Contact& contact, double nodes, double duration) {
-  using namespace calibration;
-  const double loss_time = touch(contact).loss_time, viscous = 1.0 + 2.0 * loss_time * nodes / duration;
-  double sum = 0.0, whole = 0.0;
-  for (int number = 0; number < 2; ++number) {
-    const auto body = body_of(contact, number);
-    if (body == nullptr) continue;
-    const UnitRatios units = units_of(contact, number);
-    for (const RelaxationTerm& term : body->relaxation.terms) {
-      const double time = term.time * units.time, angle = std::numbers::pi * time / duration;
-      const double loses = body->softness * units.softness * term.share * angle / (1.0 + angle * angle);
-      const double passes = 1.0 + relaxing_nodes * time * nodes / duration;
-      whole += loses;
-      sum += loses * (always_left + (1.0 - always_left) / (passes * passes));
-    }
-  }
-  return std::max(whole == 0.0 ? 0.0 : sum / whole, loss_time == 0.0 ? 0.0 : 1.0 / (viscous * viscous));
-}
-
-/// Error of what the material takes in one run, from its nodes: those that a lossy contact leaves are the worse
-/// resolved the fewer there are and the less each of them relaxes meanwhile.
-Term node_error(const Contact& contact, const Run& run) {
-  if (!loses(contact)) return {};
-  const bool circle = touch(contact).circle;
-  const double constant = circle ? calibration::nodes_of_balls : calibration::nodes_on_a_line;
-  const double nodes = run.resolution.nodes;
-  return {circle ? "nodes_of_balls" : "nodes_on_a_line", constant,
-          constant * run.dissipated / (nodes * nodes) * left_by_relaxing(contact, nodes, run.contact_time)};
-}
-
 /// To a plate that takes nearly all of the energy, more of it does nothing, and where a ball stays nothing can.
 double rebound(const Contact& contact, const Run& run) {
   return contact.keeps_displacement ? std::pow(std::max(0.0, 1.0 - run.lost_fraction), 0.25) : 1.0;
@@ -134,12 +103,8 @@ Bar lost_on_a_growing_contact(const Contact& contact, double speed, const std::v
   const double calm = plate ? calm_on_a_plate : 1.0;
   doubt.error = calm * rebound(contact, last) * std::max(least_returned, returned(contact)) * doubt.error;
   doubt.error *= last.unresolved;
-  Bar bar{&Restitution::lost_fraction, corrected(last), {doubt, node_error(contact, last)}};
-  if (contact.asperities > 0.0) {
-    const double nodes = last.resolution.nodes;
-    bar.terms.push_back({"nodes_of_asperities", nodes_of_asperities,
-                         nodes_of_asperities * std::abs(last.lost_fraction) / (nodes * nodes)});
-  }
+  Bar bar{&Restitution::lost_fraction, corrected(last), {doubt, node_error_of_losses(contact, last)}};
+  bar.terms.push_back(node_error_of_faces(contact, speed, last));
   if (contact.unbounded && last.remaining == 0.0) {  // a body that stays could have nothing more taken
     const double waves = plate ? waves_of_a_plate : waves_of_a_half_space;
     bar.terms.push_back({plate ? "waves_of_a_plate" : "waves_of_a_half_space", waves,
@@ -182,7 +147,7 @@ std::vector<Bar> other_bars(const Contact& contact, const Restitution& result, d
   const double peak = amplitude * std::sqrt(std::max(0.0, last.unresolved));
   Term force{calm ? "roughness" : "focus", calm ? roughness : focus, peak * last.max_force};
   if (at_a_point && ripple > peak) force = {"ripple", ripple, ripple * last.max_force};
-  const Term nodes = at_a_point ? Term{} : node_error(contact, last);
+  const Term nodes = at_a_point ? Term{} : node_error_of_losses(contact, last);
   const double closest = turn * last.unresolved, missing = closest + nodes.error;
   Term compression = closest < nodes.error ? nodes : Term{"turn", turn, 0.0};
   compression.error = missing * std::abs(last.max_compression);

@@ -5,7 +5,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "contact/projected_areas.hpp"
+#include "contact/faces/coats.hpp"
+#include "contact/faces/projected_areas.hpp"
 #include "contact/touch.hpp"
 #include "contact/unit_ratios.hpp"
 #include "stoss/contact/grid.hpp"
@@ -18,18 +19,6 @@ constexpr double force_constant = 0.7145;  // of two edges of unit length, those
 constexpr double gap_constant = 0.6177;
 constexpr double least = 1e-6;  // that a law is scaled by
 constexpr double outrun = 0.5;  // fit: the edge, which moves at v/(y/R), opens a smaller gap above the wave speed
-
-/// Of both coats, R/E of the first body.
-double coat_compliance(const Contact& contact) {
-  double sum = 0.0;
-  for (int number = 0; number < 2; ++number) {
-    const auto body = body_of(contact, number);
-    if (body == nullptr || body->coat.compliance == 0.0) continue;
-    const UnitRatios units = units_of(contact, number);
-    sum += body->coat.compliance * units.length / units.stress;
-  }
-  return sum;
-}
 
 /// Makes it the law of a coat where that is as soft as the bodies over a spacing. A coat alone, whose closure falls
 /// with the slope s from the middle of a node's width h on, has the law f = f*(…)² exactly, with g* = sh/2 and f* = A

@@ -3,8 +3,8 @@
 #include <functional>
 #include <utility>
 
+#include "contact/faces/projected_areas.hpp"
 #include "contact/group_loss.hpp"
-#include "contact/projected_areas.hpp"
 #include "contact/unit_ratios.hpp"
 #include "numeric/damped_oscillator.hpp"
 #include "numeric/dense.hpp"

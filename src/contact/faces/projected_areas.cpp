@@ -1,4 +1,4 @@
-#include "contact/projected_areas.hpp"
+#include "contact/faces/projected_areas.hpp"
 
 #include <cmath>
 #include <numbers>

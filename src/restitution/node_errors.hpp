@@ -1,0 +1,16 @@
+#pragma once
+
+#include "restitution/error_bar.hpp"
+#include "stoss/contact/contact.hpp"
+#include "stoss/restitution/restitution.hpp"
+
+namespace stoss {
+
+/// Error of what the material takes in one run, from its nodes: those that a lossy contact leaves are the worse
+/// resolved the fewer there are and the less each of them relaxes meanwhile.
+[[nodiscard]] Term node_error_of_losses(const Contact& contact, const Run& run);
+
+/// Error of 1 − ε² in one run, from nodes between rough or coated faces; none between others.
+[[nodiscard]] Term node_error_of_faces(const Contact& contact, double speed, const Run& run);
+
+}  // namespace stoss
