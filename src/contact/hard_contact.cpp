@@ -56,7 +56,9 @@ HardContact::HardContact(const Contact& contact, const ContactGrid& grid, const 
       first_kick_(first_kick(contact)),
       threshold_(force_that_counts(contact, speed)) {}
 
-double HardContact::start(double stride) const { return start_before(first_kick_, range_, touch_, stride); }
+double HardContact::start(double stride) const {
+  return rough_ ? -range_ : start_before(first_kick_, range_, touch_, stride);  // no phase is better: it is smooth
+}
 
 double HardContact::gap(std::size_t node) const {
   return node < contact_.extent() ? contact_.gap(node) : displacement_[node] - position_[node];

@@ -59,9 +59,6 @@ Eigen::VectorXd Anderson::next(const Eigen::VectorXd& tried, const Eigen::Vector
   return tried + miss - (step + change) * change.colPivHouseholderQr().solve(miss);
 }
 
-using Eigen::Index;
-using Eigen::VectorXd;
-
 namespace {
 
 constexpr std::size_t remembered = 6;
@@ -118,7 +115,14 @@ bool CoupledContact::overflows() const {
 }
 
 double CoupledContact::half_width() const {
-  if (law_.asperities > 0.0) return EdgeLaw::pressed(closure_) / static_cast<double>(sides_);
+  const auto points = static_cast<std::ptrdiff_t>(closure_.size() / sides_);
+  if (law_.asperities > 0.0) {
+    double pressed = 0.0;
+    for (auto side = closure_.begin(); side != closure_.end(); side += points) {
+      pressed += EdgeLaw::pressed({side, side + points}) / static_cast<double>(sides_);
+    }
+    return pressed;
+  }
   constexpr double excess = 0.18;  // as EdgeContact has it
   double sum = 0.0;
   for (const double closure : closure_) sum += std::clamp(closure, 0.0, 1.0) / static_cast<double>(sides_);

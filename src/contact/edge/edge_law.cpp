@@ -89,7 +89,7 @@ void add_asperities(const Contact& contact, const ContactGrid& grid, double spee
   }
   law.force = projected_areas(contact, grid.points);
   const double area = std::accumulate(law.force.begin(), law.force.end(), 0.0);
-  const double pressure = negligible * contact.mass * speed * std::min(0.5 * speed / length, 1.0) / area;
+  const double pressure = negligible * contact.mass * speed * std::min(0.5 * speed / length, contact.cutoff) / area;
   for (double& each : law.force) each *= pressure;
   law.gap.assign(law.force.size(), length * (std::log(contact.strength / length) - std::log(pressure)));
   for (std::size_t i = 0; i < law.edge_gap.size(); ++i) law.gap[i] += law.edge_gap[i];
@@ -129,11 +129,13 @@ bool EdgeLaw::pushes_at(const std::vector<double>& closure, std::size_t i) {
 }
 
 double EdgeLaw::pressed(const std::vector<double>& closure) {
-  constexpr double share = 1e-3;
-  const double greatest = *std::max_element(closure.begin(), closure.end());
-  if (!(greatest > 0.0)) return 0.0;
-  const double least = std::max(0.0, greatest + std::log(share));
-  return static_cast<double>(std::count_if(closure.begin(), closure.end(), [&](double t) { return t > least; }));
+  constexpr double share = 1e-3, middle = 0.5;
+  const double least = std::max(0.0, *std::max_element(closure.begin(), closure.end()) + std::log(share));
+  std::size_t count = closure.size();
+  while (count > 0 && closure[count - 1] <= least) --count;
+  if (count == 0 || count == closure.size()) return static_cast<double>(count);
+  const double last = closure[count - 1], next = std::min(closure[count], least);
+  return static_cast<double>(count) - middle + (last - least) / (last - next);
 }
 
 double EdgeLaw::modulus_at(double time) const {

@@ -108,7 +108,7 @@ struct EdgeLaw {
   /// Whether asperities push on a node with a pressure that matters beside the greatest.
   [[nodiscard]] static bool pushes_at(const std::vector<double>& closure, std::size_t i);
 
-  /// Number of nodes with at least a thousandth of the greatest pressure of asperities.
+  /// Half-width in spacings within which asperities push with a thousandth of the greatest pressure or more.
   [[nodiscard]] static double pressed(const std::vector<double>& closure);
 
   /// Follows the edge of a lossy contact in a step, as the foremost node moves to a compression.
@@ -132,7 +132,7 @@ struct EdgeLaw {
 /// contact, (2√2/3) √a/R at a line and (8√2/3π) √a/R at a circle, D its softness and h the spacing; a ring has π sin α
 /// times that force, for the length of its edge. κ is less where the edge outruns the waves. Empty for a single point.
 /// Of asperities A is the projected area of a node, and f* and g* are those of a layer that holds 10⁻¹² of the energy,
-/// or pushes as little.
+/// or pushes as little in the time 1/ω_c.
 /// @param speed of an impact with all the energy there is, which says how fast the edge moves
 [[nodiscard]] EdgeLaw edge_law(const Contact& contact, const ContactGrid& grid, double speed);
 

@@ -48,7 +48,9 @@ CoupledCollision::CoupledCollision(const Contact& contact, const std::vector<Con
       lossy_(loses(contact)),
       first_share_(loss_share(contact)),
       start_compression_(start ? contact_.extent + start->center
-                               : start_before(first_kick(contact), range_, touch_, frame_.speed * step_)),
+                         : contact.asperities > 0.0
+                             ? -range_
+                             : start_before(first_kick(contact), range_, touch_, frame_.speed * step_)),
       moved_x_(VectorXd::Zero(recess_.size())),
       moved_y_(moved_x_),
       force_(moved_x_),
