@@ -19,13 +19,9 @@ struct Case {
   Relaxation relaxation, second_relaxation;  ///< times in R/c of each body
   bool half_space = false;                   ///< of the material of `second`, whose size means nothing
   double thickness = 0.0;                    ///< of a plate or strip in its stead; 0: a half-space or half-plane
-<<<<<<< HEAD
   std::vector<MaterialLoss> layers;          ///< of as many equal layers of a plate, times in R/c of `second`
-  bool soft = false;                         ///< an exponential wall
-=======
   bool soft = false;                         ///< an exponential wall, without the modes above the cutoff
   double asperities = 0.0;                   ///< of the first body, in its R
->>>>>>> a15d0780 (Put a law of asperities between rough faces, in series with the edge)
   Tail tail = Tail::radiating;               ///< at a hard wall and between two bodies
   double speed = 0.0;
   double cutoff = 0.0;
