@@ -98,6 +98,17 @@ std::string in_quotes(std::string_view text) {
   return quoted += '\'';
 }
 
+namespace {
+
+/// Whether three letters and three quarters of the word begin the name, as of ruby and rubber.
+bool begin_alike(std::string_view word, std::string_view name) {
+  const auto end = std::mismatch(word.begin(), word.end(), name.begin(), name.end()).first;
+  const auto alike = static_cast<std::size_t>(end - word.begin());
+  return alike >= 3 && 4 * alike >= 3 * word.size();
+}
+
+}  // namespace
+
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
   word = without_dashes(word);
   constexpr std::size_t longest = 30;  // of what could be a misspelt option
@@ -107,7 +118,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   for (const std::string& candidate : candidates) {
     const std::string_view name = without_dashes(candidate);
     const bool begins = word.size() >= 3 && name.substr(0, word.size()) == word;
-    const std::size_t difference = begins ? 0 : distance(word, name);
+    const std::size_t difference = begins ? 0 : begin_alike(word, name) ? 1 : distance(word, name);
     if (difference >= least) continue;
     least = difference;
     best = candidate;
