@@ -34,7 +34,7 @@ BounceOptions make_options(const BounceArguments& arguments, const Encounter& en
           .flight_time = own("flight_time", arguments.flight_time),
           .gravity = own("gravity", arguments.gravity),
           .decay_time = own("decay_time", arguments.decay_time),
-          .resolution = {.tail = arguments.kept.tail(*arguments.command, encounter)},
+          .resolution = {.tail = arguments.kept.tail()},
           .vibration = encounter.vibration,
           .poll = waiting(arguments.output, "bounces")};
 }
@@ -114,7 +114,7 @@ void add_bounce(CLI::App& app) {
   CLI::App& command = *arguments.command;
   arguments.who.first.add_poisson_to(command);
   arguments.approach.add_to(command, Question::bounce, "Motion");
-  arguments.who.add_to(command, true, "\nA second body that is free does not come back: it is refused");
+  arguments.who.add_to(command, "\nA second body that is free does not come back: it is refused");
   add_modes_to(command, arguments.who.modes);
   add_flight(command, arguments);
   arguments.kept.add_to(command, Question::bounce);

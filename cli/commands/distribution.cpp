@@ -41,7 +41,6 @@ struct Ensemble {
 };
 
 Ensemble make_ensemble(DistributionArguments& arguments, const Encounter& encounter) {
-  refuse_soft(encounter);
   const Units units = units_of(encounter);
   const double speed = arguments.approach.one(units);
   RefinableContact contact = refinable(encounter);

@@ -23,7 +23,6 @@ struct FitArguments {
 
 void run(const FitArguments& arguments) {
   const Encounter encounter = arguments.who.encounter();
-  refuse_soft(encounter);
   if (encounter.first.kind != "sphere") {
     throw InvalidInput::out_of_range("body", fmt::format("{}", encounter.first.kind), "sphere",
                                      "laws are those of balls");

@@ -113,7 +113,7 @@ void run(const ImpactArguments& asked_for) {
   ImpactArguments arguments = asked_for;
   const Encounter encounter = arguments.who.encounter();
   KeptOptions& kept = arguments.kept;
-  arguments.resolution.tail = kept.tail(*arguments.command, encounter);
+  arguments.resolution.tail = kept.tail();
   check_trajectory(arguments);
   const double speed = arguments.approach.one(units_of(encounter), "stoss restitution takes lists");
   catch_interrupts();
@@ -162,7 +162,7 @@ void add_impact(CLI::App& app) {
   CLI::App& command = *arguments.command;
   arguments.who.first.add_poisson_to(command);
   arguments.approach.add_to(command, Question::impact, "Motion");
-  arguments.who.add_to(command, true);
+  arguments.who.add_to(command);
   add_modes_to(command, arguments.who.modes);
   arguments.kept.add_to(command, Question::impact);
   add_input(command, Question::impact, "step", arguments.resolution.step, "Resolution");

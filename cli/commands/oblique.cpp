@@ -67,7 +67,6 @@ struct Collisions {
 
 Collisions make_collisions(const ObliqueArguments& arguments) {
   Collisions made{.encounter = arguments.who.encounter()};
-  refuse_soft(made.encounter);
   const Units& units = made.units;
   const std::vector<double> speeds = arguments.approach.series(units);
   const bool by_angle = arguments.has_angles();

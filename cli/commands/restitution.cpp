@@ -91,7 +91,6 @@ Job make_job(RestitutionArguments& arguments) {
     arguments.who.first.set_poisson(poissons.front());
   }
   Job job{arguments.who.encounter(), std::move(poissons), {}};
-  refuse_soft(job.encounter, " (stoss impact meets an exponential wall)");
   if (job.units.si && job.poissons.size() > 1) {
     throw InvalidInput::out_of_range("poisson", fmt::format("{} numbers with a material", job.poissons.size()), "one",
                                      "a material has only one");

@@ -47,7 +47,6 @@ void check_format(const TableArguments& arguments) {
 
 TableJob make_job(const TableArguments& arguments) {
   Encounter encounter = arguments.who.encounter();
-  refuse_soft(encounter);
   const Units units = units_of(encounter);
   if (arguments.oblique && arguments.format == "two-column") {
     const ApproachOptions& given = arguments.approach;

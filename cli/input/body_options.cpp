@@ -18,7 +18,7 @@ namespace {
 std::vector<std::string> sizes_of(const Kind& its) {
   std::vector<std::string> names;
   for (const Parameter& each : its.parameters) {
-    if (!each.of_material && !is_loss(each.name)) names.emplace_back(each.name);
+    if (!each.of_material && !is_of_whole(each.name)) names.emplace_back(each.name);
   }
   return names;
 }
@@ -88,6 +88,11 @@ void BodyOptions::add_dynamics_to(CLI::App& command) {
              "With --relaxation: the modulus that is given is E(0) (instantaneous),\nor what is left of it after all "
              "relaxation (default: instantaneous)",
              "WHICH", "Body");
+  add(command, "--roughness", numbers_["roughness"],
+      "rms height of the elastic asperities of its face, whose length u0 is\n0.45 of it (+- 0.05; default: 0, smooth); "
+      "in R, with a material in m",
+      "RMS", "Body");
+  add(command, "--u0", numbers_["u0"], "In place of it: their length, as in pressure = p0 exp(-gap/u0)", "U0", "Body");
 }
 
 void BodyOptions::add_material_to(CLI::App& command, bool yield) {
@@ -96,7 +101,7 @@ void BodyOptions::add_material_to(CLI::App& command, bool yield) {
       "A material of the list in place of --young, --density, --poisson:\nbearing steel, glass, ice, ... (stoss "
       "materials)",
       "NAME", group);
-  std::vector<std::string> added{"poisson", "loss_time", "quality"};
+  std::vector<std::string> added{"poisson", "loss_time", "quality", "roughness", "u0"};
   for (const std::string& owner : kinds_) {
     for (const Parameter& each : kind(owner).parameters) {
       const std::string name(each.name);
@@ -136,8 +141,14 @@ void BodyOptions::require_own(const Kind& its) const {
 /// Whether there is something that only a body with a material has.
 bool BodyOptions::in_si() const {
   return !material_.empty() || !plane_.empty() || yield_ || std::any_of(numbers_.begin(), numbers_.end(), [](auto& of) {
-    return of.second && of.first != "poisson" && !is_loss(of.first);
+    return of.second && of.first != "poisson" && !is_of_whole(of.first);
   });
+}
+
+void BodyOptions::set_numbers(Participant& body) const {
+  for (const auto& [name, value] : numbers_) {
+    if (value) body.values[name] = *value;
+  }
 }
 
 Participant BodyOptions::body() const {
@@ -148,14 +159,13 @@ Participant BodyOptions::body() const {
       throw InvalidInput::conflict("material", "the body file has one already", "leave out --material");
     Participant body = modal_from_file("body", kind_);
     if (!relaxation_.empty()) body.relaxation = parse_relaxation("relaxation", relaxation_);
+    set_numbers(body);
     take_young(body, young_is_);
     return body;
   }
   Participant body{.kind = kind_, .material_name = material_, .rigid = rigid_};
   if (plane_ == "strain") body.plane = Plane::strain;
-  for (const auto& [name, value] : numbers_) {
-    if (value) body.values[name] = *value;
-  }
+  set_numbers(body);
   if (has_poisson(body) && !body.values.contains("poisson") && material_.empty()) {
     throw CLI::RequiredError("--poisson");
   }

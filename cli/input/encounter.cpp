@@ -38,7 +38,7 @@ std::string lines_of(const Kind& its) {
 std::vector<std::string> layer_keys_of(const Kind& its) {
   std::vector<std::string> keys;
   for (const Parameter& each : its.parameters) {
-    if (!is_loss(each.name)) keys.emplace_back(each.name);
+    if (!is_of_whole(each.name)) keys.emplace_back(each.name);
   }
   keys.emplace_back("material");
   return keys;
@@ -111,7 +111,7 @@ Participant parse_against(const std::string& text, const Participant& first) {
 
 }  // namespace
 
-void EncounterOptions::add_to(CLI::App& to, bool exponential, const std::string& note) {
+void EncounterOptions::add_to(CLI::App& to, const std::string& note) {
   first.add_kind_to(to, {"sphere", "disk", "rod"}, true);
   first.add_dynamics_to(to);
   first.add_material_to(to, true);
@@ -119,7 +119,7 @@ void EncounterOptions::add_to(CLI::App& to, bool exponential, const std::string&
       "What the body meets (default: wall); numbers in units of the first, or\nin SI if it has a material";
   std::vector<std::string_view> names;
   for (const Kind& its : kinds()) {
-    if (its.from_file || (its.name == "exponential" && !exponential)) continue;
+    if (its.from_file) continue;
     help += lines_of(its);
     names.push_back(its.name);
   }
@@ -137,17 +137,15 @@ Encounter EncounterOptions::encounter() const {
 }
 
 void KeptOptions::add_to(CLI::App& command, Question question) {
-  add_choice(command, "--tail", word, {"radiating", "static"},
-             "Model of the modes above the cutoff: radiating absorbs energy, static does not (default: radiating)",
+  add_choice(command, "--tail", word, {"radiating", "static", "none"},
+             "Model of the modes above the cutoff: radiating absorbs energy, static does not; none, of rough faces\n"
+             "alone: as in the paper, they do not answer (default: radiating)",
              "TAIL", "Resolution");
   add_input(command, question, "cutoff", cutoff, "Resolution");
 }
 
-Tail KeptOptions::tail(const CLI::App& command, const Encounter& encounter) const {
-  if (is_soft(encounter) && given(command, "--tail")) {
-    throw InvalidInput::out_of_range("tail", "a tail with --against exponential", "only without",
-                                     "the soft wall leaves it out");
-  }
+Tail KeptOptions::tail() const {
+  if (word == "none") return Tail::none;
   return word == "static" ? Tail::quasistatic : Tail::radiating;
 }
 
@@ -159,12 +157,8 @@ void KeptOptions::choose(const CLI::App& command, const Encounter& encounter, do
 Provenance KeptOptions::provenance(const CLI::App& command, const Encounter& encounter) const {
   Provenance its = cli::provenance(command, encounter);
   its.inputs["cutoff"] = cutoff;
-  if (!is_soft(encounter)) its.inputs["tail"] = word;
+  its.inputs["tail"] = word;
   return its;
-}
-
-void refuse_soft(const Encounter& encounter, const std::string& hint) {
-  if (is_soft(encounter)) throw InvalidInput::out_of_range("against", "exponential", "wall, same or a body" + hint);
 }
 
 std::optional<double> poisson_of(const Encounter& encounter) {

@@ -24,7 +24,8 @@ class BodyOptions {
   /// --body. @param kinds that it takes @param files whether it takes @FILE too
   void add_kind_to(CLI::App& command, const std::vector<std::string>& kinds, bool files = false);
 
-  /// --rigid-body, and how the material loses energy: --loss-time, --quality, --relaxation, --young-is.
+  /// --rigid-body, how the material loses energy (--loss-time, --quality, --relaxation, --young-is) and how rough its
+  /// face is (--roughness, --u0).
   void add_dynamics_to(CLI::App& command);
 
   /// Sizes and material in SI. @param yield whether --yield is one of them
@@ -41,6 +42,7 @@ class BodyOptions {
  private:
   [[nodiscard]] bool in_si() const;
   void require_own(const Kind& its) const;
+  void set_numbers(Participant& body) const;
 
   std::vector<std::string> kinds_;
   std::string kind_ = "sphere";
@@ -77,9 +79,8 @@ struct EncounterOptions {
   std::string against = "wall";
   std::vector<std::string> modes{};
 
-  /// @param exponential whether the soft wall can be met
-  /// @param note        to the help of --against
-  void add_to(CLI::App& to, bool exponential = false, const std::string& note = {});
+  /// @param note to the help of --against
+  void add_to(CLI::App& to, const std::string& note = {});
 
   /// @throws CLI::RequiredError for a body without its Poisson's ratio, InvalidInput for options that do not go
   /// together, and as validate
@@ -99,8 +100,7 @@ struct KeptOptions {
 
   void add_to(CLI::App& command, Question question);
 
-  /// @throws InvalidInput for a tail of an exponential wall
-  [[nodiscard]] Tail tail(const CLI::App& command, const Encounter& encounter) const;
+  [[nodiscard]] Tail tail() const;
 
   /// Chooses a cutoff where none is given. @param slowest impact, c @param most cutoff, c/R
   void choose(const CLI::App& command, const Encounter& encounter, double slowest, double most, const Poll& poll);
@@ -108,11 +108,6 @@ struct KeptOptions {
   /// With both as they were chosen.
   [[nodiscard]] Provenance provenance(const CLI::App& command, const Encounter& encounter) const;
 };
-
-/// @throws InvalidInput for an exponential wall, of which only single impacts are computed. @param hint who takes it
-void refuse_soft(const Encounter& encounter, const std::string& hint = {});
-
-[[nodiscard]] inline bool is_soft(const Encounter& encounter) { return encounter.against.kind == "exponential"; }
 
 /// --mode, as often as there are modes: how the bodies vibrate before the impact.
 void add_modes_to(CLI::App& command, std::vector<std::string>& modes);

@@ -91,6 +91,13 @@ module stoss
       type(c_ptr), intent(out) :: body
     end function stoss_relaxing_make
 
+    integer(c_int) function stoss_rough_make(smooth, u0, body) bind(c)
+      import
+      type(c_ptr), value :: smooth
+      real(c_double), value :: u0
+      type(c_ptr), intent(out) :: body
+    end function stoss_rough_make
+
     integer(c_int) function stoss_rigid_make(elastic, body) bind(c)
       import
       type(c_ptr), value :: elastic

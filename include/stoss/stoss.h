@@ -97,6 +97,13 @@ int stoss_strip_make(double thickness, double poisson, double young, double dens
 int stoss_relaxing_make(const stoss_body* elastic, const double* shares, const double* times, size_t count,
                         stoss_body** body);
 
+/**
+ * Makes a body with a rough face, whose elastic asperities push with p0 exp(-gap/u0); of two faces u0^2 = u1^2 + u2^2.
+ * @param smooth of any kind; a relaxing or a rigid one is made before
+ * @param u0     0 (smooth) to 1000 in the unit of the sizes of the body; 0.45 of the rms height of its asperities
+ */
+int stoss_rough_make(const stoss_body* smooth, double u0, stoss_body** body);
+
 /** Makes the rigid body of the size and mass of a disk or a sphere; it meets an elastic one. */
 int stoss_rigid_make(const stoss_body* elastic, stoss_body** body);
 

@@ -11,6 +11,7 @@
 #include "stoss/encounter/laws.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/encounter/relaxing.hpp"
+#include "stoss/encounter/roughness.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/encounter/waves.hpp"
 #include "stoss/impact/quantities.hpp"
@@ -165,6 +166,9 @@ void bind_encounters(py::module_& module) {
       [](const std::string& of, const Values& numbers) { (void)maker(kind(of).solid(numbers)); });
   def(module, "check_wall", {"hardness", "strength"}, [](double hardness, double strength) {
     validate(Wall(ExponentialWall{hardness, strength}));
+  });
+  def(module, "check_face", {"roughness", "u0"}, [](double roughness, double u0) {
+    (void)asperities_of(Participant{.kind = "wall", .values = {{"roughness", roughness}, {"u0", u0}}});
   });
   py::class_<Encounter> handle(module, "Encounter", "Who meets whom, by its JSON document.");
   seal(handle);

@@ -45,7 +45,7 @@ void bind_prediction(py::module_& module) {
   def(module, "predict", {"encounter", "speeds", "adhesion", "uncertainties", "tolerance", "threads"}, &predictions);
   def(module, "thresholds", {"encounter", "adhesion"}, [](const Encounter& encounter, std::optional<double> adhesion) {
     const Thresholds made = thresholds(encounter, {.work_of_adhesion = adhesion});
-    return py::make_tuple(made.yield, made.impression, made.sticking, made.adhesion);
+    return py::make_tuple(made.yield, made.impression, made.sticking, made.adhesion, made.rough);
   });
 }
 

@@ -99,7 +99,8 @@ inline Vibration to_vibration(const Oscillations& array) { return {array.data(),
 inline Tail to_tail(const std::string& name) {
   if (name == "radiating") return Tail::radiating;
   if (name == "static") return Tail::quasistatic;
-  throw std::invalid_argument("tail: radiating or static");
+  if (name == "none") return Tail::none;
+  throw std::invalid_argument("tail: radiating, static or none");
 }
 
 /// What the core makes of arguments, with the interpreter free for others meanwhile and Ctrl-C heeded.

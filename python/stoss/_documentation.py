@@ -25,8 +25,8 @@ PARAMETERS = {
     "step": "Time step, R/c.",
     "nodes": "Number of points of the contact grid.",
     "half_width": "Half the width of the contact grid, R.",
-    "tail": "How the modes above the cutoff answer a hard contact: 'radiating', with static compliance at low and"
-    " plane-wave impedance at high frequency, or 'static', with static compliance only.",
+    "tail": "How the modes above the cutoff answer: 'radiating', with static compliance at low and plane-wave"
+    " impedance at high frequency, 'static', with static compliance only, or of rough faces 'none', not at all.",
     "state": "How the bodies vibrate before the impact: modes up to `cutoff`, or an array as `Impact.state_after` gives"
     " it. Default: they are unexcited. Then ε cannot exceed 1; with a state it may.",
     "error": "Maximum error of ε, interpolation included, 1e-7 to 0.1.",
@@ -60,7 +60,7 @@ FIELDS = {
     "speed": "Speed of approach of the centres of mass, or towards the wall, c.",
     "restitution": "ε = −v_f/v_i of the relative motion; above 1 where vibration is given back.",
     "cutoff": "Modes up to this frequency are kept, c/R.",
-    "tail": "How the modes above the cutoff answered: 'radiating' or 'static'.",
+    "tail": "How the modes above the cutoff answered: 'radiating', 'static' or 'none'.",
     "reason": "Why it is not converged; empty where it is.",
     "keep": "Which modes up to the cutoff were kept, if not all.",
     "state": "How the bodies vibrated before, if they did: a structured array with the fields body, order, index,"

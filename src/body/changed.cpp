@@ -37,6 +37,10 @@ double unit_of_coats(const Body& body) {
 
 double unit_of_time(const BodyScale& scale) { return scale.length / scale.speed; }
 
+void require_asperities(double asperities) {
+  stoss::require("asperities", asperities, {0.0, 1e3, true, true, "0 to 1000"}, "length of the asperities in R");
+}
+
 }  // namespace
 
 Body changed(Body body, const Change& change) {
@@ -75,17 +79,18 @@ BodyMaker relaxing(const BodyMaker& maker, const Relaxation& relaxation) {
 }
 
 Body rough(const Body& body, double asperities) {
-  require("asperities", asperities, {0.0, 1.0, true, true, "0 to 1"}, "length of the asperities in R");
+  require_asperities(asperities);
   if (asperities == 0.0) return body;
   Body result = changed(body, [asperities, scale = body.scale](const Body& each) {
     return rough(each, asperities * scale.length / each.scale.length);
   });
   result.asperities = asperities;
+  result.name += " asperities=" + shown(asperities);
   return result;
 }
 
 BodyMaker rough(const BodyMaker& maker, double asperities) {
-  require("asperities", asperities, {0.0, 1.0, true, true, "0 to 1"}, "length of the asperities in R");
+  require_asperities(asperities);
   if (asperities == 0.0) return maker;
   return [maker, asperities](double cutoff, const Poll& poll) { return rough(maker(cutoff, poll), asperities); };
 }

@@ -1,4 +1,5 @@
 #include "c/interface.hpp"
+#include "stoss/encounter/roughness.hpp"
 #include "stoss/errors.hpp"
 
 #include "stoss/version.hpp"
@@ -83,17 +84,28 @@ int stoss_relaxing_make(const stoss_body* elastic, const double* shares, const d
     stoss::Relaxation relaxation;
     for (size_t i = 0; i < count; ++i) relaxation.terms.push_back({shares[i], times[i]});
     const double loss_time = std::visit([](const auto& its) { return its.loss_time; }, elastic->value);
-    if (elastic->rigid || !elastic->relaxation.terms.empty() || loss_time != 0.0) {
-      throw stoss::InvalidInput::conflict("elastic", "it is rigid, has a loss_time or relaxes already");
+    if (elastic->rigid || !elastic->relaxation.terms.empty() || elastic->rough || loss_time != 0.0) {
+      throw stoss::InvalidInput::conflict("elastic", "it is rigid or rough, has a loss_time or relaxes already");
     }
     return stoss_body{elastic->value, false, stoss::maker(elastic->value, relaxation), relaxation};
+  });
+}
+
+int stoss_rough_make(const stoss_body* smooth, double u0, stoss_body** body) {
+  return handed_over(body, [&] {
+    require_given(smooth, "smooth");
+    if (smooth->rough) throw stoss::InvalidInput::conflict("smooth", "it is rough already");
+    stoss_body made = *smooth;
+    made.maker = stoss::with_asperities(smooth->maker, u0);
+    made.rough = u0 > 0.0;
+    return made;
   });
 }
 
 int stoss_rigid_make(const stoss_body* elastic, stoss_body** body) {
   return handed_over(body, [&] {
     require_given(elastic, "elastic");
-    return stoss_body{elastic->value, true, stoss::rigid(elastic->maker)};
+    return stoss_body{elastic->value, true, stoss::rigid(elastic->maker), {}, elastic->rough};
   });
 }
 

@@ -78,9 +78,6 @@ int stoss_open(const char* json, stoss_contact** contact) {
     require_given(json, "json");
     require_given(contact, "contact");
     const stoss::Encounter given = stoss::encounter_from_json(json);
-    if (given.against.kind == "exponential") {
-      throw stoss::InvalidInput::out_of_range("against", "exponential", "a hard wall or a body");
-    }
     const stoss::Solid solid = stoss::first_solid(given);
     const stoss_body first{solid, given.first.rigid, stoss::first_maker(given),
                            stoss::relaxation_of(given, given.first, solid)};

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "c/interface.hpp"
+#include "stoss/encounter/roughness.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/table/adaptive.hpp"
 
@@ -21,6 +22,10 @@ stoss::Beyond beyond_of(int number) {
 }
 
 stoss::SlowLaw law_of(const stoss_contact& contact) {
+  if (contact.first.rough || (contact.second && contact.second->rough)) {
+    throw stoss::InvalidInput::conflict("beyond", "the law of slow impacts knows smooth faces alone");
+  }
+  stoss::refuse_rough(contact.encounter, "the law of slow impacts");
   const stoss_body& first = contact.first;
   if (!contact.second) return stoss::slow_law(first.value, {}, {first.rigid, false, first.relaxation, {}});
   const stoss_body& second = *contact.second;

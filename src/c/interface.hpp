@@ -44,6 +44,7 @@ struct stoss_body {
   bool rigid = false;
   stoss::BodyMaker maker;
   stoss::Relaxation relaxation{};  ///< times in the unit of loss times
+  bool rough = false;
 };
 
 struct stoss_contact {

@@ -50,7 +50,8 @@ Plane plane_of(const std::string& where, const Json& value) {
 Participant participant(const std::string& where, const Json& given);
 
 /// What layers have together.
-constexpr std::array of_all_layers{"kind", "layers", "loss_time", "quality", "relaxation", "young_is"};
+constexpr std::array of_all_layers{"kind",       "layers",   "loss_time", "quality",
+                                   "relaxation", "young_is", "roughness", "u0"};
 
 bool is_of_all_layers(const std::string& name) {
   return std::find(of_all_layers.begin(), of_all_layers.end(), name) != of_all_layers.end();
@@ -75,10 +76,14 @@ void read_layers(const std::string& where, const Json& given, Participant& made)
 
 /// A body by its file, which stands in the document as it is.
 Participant read_modal(const std::string& where, const Json& given) {
-  require_keys(where, given, {"kind", "body", "relaxation"});
+  require_keys(where, given, {"kind", "body", "relaxation", "roughness", "u0"});
   if (!given.contains("body")) refuse(where, given, "an object with a body, as its file has it");
   Participant made = modal_participant(modal_body_from_json(given["body"].dump(), where + " body"));
   if (given.contains("relaxation")) made.relaxation = relaxing_terms(where + " relaxation", given["relaxation"]);
+  for (const Parameter& each : kind(made.kind).parameters) {
+    const std::string name(each.name);
+    if (given.contains(name)) made.values[name] = number(where + " " + name, given[name]);
+  }
   return made;
 }
 
@@ -100,7 +105,7 @@ Participant participant(const std::string& where, const Json& given) {
     if (layered && name == "layers") {
       read_layers(place, value, made);
     } else if (layered && !is_of_all_layers(name)) {
-      refuse(where, name, "kind, layers, loss_time, quality, relaxation, young_is");
+      refuse(where, name, "kind, layers, loss_time, quality, relaxation, young_is, roughness, u0");
     } else if (name == "relaxation" && !its.wall) {
       made.relaxation = relaxing_terms(place, value);
     } else if (name == "young_is" && !its.wall) {
@@ -176,12 +181,13 @@ Json described(const Participant& of) {
   if (of.modal) {
     json["body"] = Json::parse(to_json(*of.modal));
     if (of.relaxation) json["relaxation"] = document_of(*of.relaxation);
+    for (const auto& [name, value] : of.values) json[name] = value;
     return json;
   }
   if (!of.below.empty()) {
     json["layers"] = layers_of(of);
     for (const auto& [name, value] : of.values) {
-      if (is_loss(name)) json[name] = value;
+      if (is_of_whole(name)) json[name] = value;
     }
     if (of.relaxation) json["relaxation"] = document_of(*of.relaxation);
     return json;

@@ -10,6 +10,7 @@
 #include "check.hpp"
 #include "encounter/participant.hpp"
 #include "stoss/encounter/inputs.hpp"
+#include "stoss/encounter/roughness.hpp"
 
 namespace stoss {
 namespace {
@@ -74,8 +75,12 @@ auto with_given_loss_time(const Participant& of, const Compute& compute) {
 }
 
 BodyMaker made(const Encounter& encounter, const Participant& of, const Solid& solid) {
-  return with_given_loss_time(
-      of, [&] { return of.rigid ? rigid(maker(solid)) : maker(solid, relaxation_of(encounter, of, solid)); });
+  const bool in_own = encounter.first.material && !is_rod(encounter);
+  const double unit = in_own ? first_values(encounter).at("radius") : 1.0;
+  return with_given_loss_time(of, [&] {
+    BodyMaker smooth = of.rigid ? rigid(maker(solid)) : maker(solid, relaxation_of(encounter, of, solid));
+    return with_asperities(smooth, asperities_of(of) / unit);
+  });
 }
 
 /// "sphere or half-space": what a body meets besides walls and its like.
@@ -151,6 +156,7 @@ void validate(const Encounter& encounter) {
   require_partner(encounter);
   require_one_that_deforms(encounter);
   require_units(encounter);
+  (void)asperities_of(encounter);
   (void)first_maker(encounter);
   with_prefix_against([&] { validate(wall_of(encounter)); });
   (void)second_maker(encounter);
@@ -233,9 +239,13 @@ BodyMaker second_maker(const Encounter& encounter) {
 }
 
 Wall wall_of(const Encounter& encounter) {
-  if (encounter.against.kind != "exponential") return HardWall{};
+  if (!is_at_wall(encounter)) return HardWall{};
   const Values all = all_values(encounter.against, {}, infinite);
-  return ExponentialWall{all.at("hardness"), all.at("strength")};
+  if (encounter.against.kind == "exponential") return ExponentialWall{all.at("hardness"), all.at("strength")};
+  const double asperities = asperities_of(encounter.against);
+  if (asperities == 0.0) return HardWall{};
+  const Values first = first_values(encounter);
+  return ExponentialWall{first.at(is_rod(encounter) ? "length" : "radius") / asperities};
 }
 
 RefinableContact refinable(const Encounter& encounter) {
@@ -243,7 +253,7 @@ RefinableContact refinable(const Encounter& encounter) {
   if (!is_at_wall(encounter)) return {first_maker(encounter), second_maker(encounter)};
   BodyMaker maker = first_maker(encounter);
   if (kind(encounter.first.kind).from_file) (void)contact(maker(1e-6, {}));  // refuses a flat one, whatever the cutoff
-  return RefinableContact(std::move(maker));
+  return {std::move(maker), wall_of(encounter)};
 }
 
 Contact contact_of(const Encounter& encounter, double cutoff, double speed, const Poll& poll) {

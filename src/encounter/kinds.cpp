@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "stoss/bodies/disk/modes.hpp"
+#include "stoss/encounter/roughness.hpp"
 #include "stoss/encounter/visible.hpp"
 #include "stoss/errors.hpp"
 
@@ -41,7 +42,20 @@ constexpr Parameter loss_time{
 constexpr Parameter quality{
     "quality", "",   0.0,   0.0,
     1e9,       true, false, "quality Q of the material, the same at all frequencies of an impact; 0: none"};
-constexpr Parameter hardness{"hardness", "", 500.0, 1.0, 1e6, true, false, "alpha R of the wall"};
+constexpr Parameter roughness{"roughness",
+                              "m",
+                              0.0,
+                              0.0,
+                              1.0 / asperities_over_rms,
+                              true,
+                              false,
+                              "rms height of the asperities of its face, of which u0 is 0.45 (+- 0.05); 0: smooth"};
+constexpr Parameter u0{
+    "u0",  "m",
+    0.0,   0.0,
+    1.0,   true,
+    false, "length u0 of its elastic asperities, pressure = p0 exp(-gap/u0), in place of a roughness; 0: smooth"};
+constexpr Parameter hardness{"hardness", "", 500.0, 1.0, 1e8, true, false, "alpha R = R/u0 of the wall"};
 constexpr Parameter strength{"strength", "", 1.0, 1e-100, 1e100, true, false, "V0; it only shifts the wall"};
 
 /// A disk or a sphere of its numbers.
@@ -80,7 +94,7 @@ std::vector<Kind> make_kinds() {
             .contour = Contour::cylinder,
             .own = UnitSystem::disk,
             .si = UnitSystem::disk_si,
-            .parameters = {plane_poisson_number, radius, young, density, loss_time, quality},
+            .parameters = {plane_poisson_number, radius, young, density, loss_time, quality, roughness, u0},
             .solid = round<Disk>};
   Kind sphere = disk;
   sphere.name = "sphere", sphere.plural = "spheres", sphere.help = "an elastic sphere";
@@ -91,39 +105,42 @@ std::vector<Kind> make_kinds() {
   rod.name = "rod", rod.plural = "rods", rod.help = "a thin elastic rod that meets with one end";
   rod.can_be_rigid = rod.can_yield = false, rod.contour = Contour::flat;
   rod.own = UnitSystem::rod, rod.si = UnitSystem::rod_si;
-  rod.parameters = {length, young, density, area, loss_time, quality}, rod.solid = rod_of;
+  rod.parameters = {length, young, density, area, loss_time, quality, roughness, u0}, rod.solid = rod_of;
   Kind modal = sphere;
   modal.name = "modal", modal.plural = "modal bodies";
   modal.help = "any body by its modes at a point, from a file";
   modal.can_be_rigid = modal.can_yield = false;
-  modal.parameters = {}, modal.solid = {}, modal.from_file = true;
+  modal.parameters = {roughness, u0}, modal.solid = {}, modal.from_file = true;
   Kind half_space = sphere;
   half_space.name = "half-space", half_space.plural = "half-spaces";
   half_space.help = "a large block for spheres, whose waves do not return";
   half_space.bounded = half_space.can_be_rigid = false;
-  half_space.parameters = {solid_poisson_number, young, density, loss_time, quality};
+  half_space.parameters = {solid_poisson_number, young, density, loss_time, quality, roughness, u0};
   half_space.solid = unbounded<HalfSpace>;
   Kind half_plane = disk;
   half_plane.name = "half-plane", half_plane.plural = "half-planes", half_plane.help = "elastic half-plane, for disks";
   half_plane.bounded = half_plane.can_be_rigid = false;
-  half_plane.parameters = {plane_poisson_number, young, density, loss_time, quality};
+  half_plane.parameters = {plane_poisson_number, young, density, loss_time, quality, roughness, u0};
   half_plane.solid = unbounded<HalfPlane>;
   Kind plate = half_space;
   plate.name = "plate", plate.plural = "plates";
   plate.help = "an elastic plate for spheres, free on both faces";
-  plate.parameters = {thickness, solid_poisson_number, young, density, loss_time, quality}, plate.solid = flat<Plate>;
+  plate.parameters = {thickness, solid_poisson_number, young, density, loss_time, quality, roughness, u0};
+  plate.solid = flat<Plate>;
   plate.add_layer = add_layer;
   Kind strip = half_plane;
   strip.name = "strip", strip.plural = "strips", strip.help = "elastic strip of finite thickness, for disks";
-  strip.parameters = {thickness, plane_poisson_number, young, density, loss_time, quality}, strip.solid = flat<Strip>;
+  strip.parameters = {thickness, plane_poisson_number, young, density, loss_time, quality, roughness, u0};
+  strip.solid = flat<Strip>;
   Kind wall = half_space;
   wall.name = "wall", wall.plural = "walls", wall.help = "a rigid wall";
-  wall.wall = true, wall.can_yield = false, wall.parameters = {}, wall.solid = {};
+  wall.wall = true, wall.can_yield = false, wall.parameters = {roughness, u0}, wall.solid = {};
   Kind same = wall;
   same.name = "same", same.plural = "equal bodies", same.help = "a second body, equal to the first";
+  same.parameters = {};
   Kind exponential = wall;
   exponential.name = "exponential", exponential.plural = "exponential walls";
-  exponential.help = "the paper's soft wall, for one impact at a cutoff";
+  exponential.help = "a rigid wall with elastic asperities of the length 1/alpha: the paper's soft wall";
   exponential.parameters = {hardness, strength};
   return {wall, same, disk, sphere, rod, half_space, half_plane, plate, strip, modal, exponential};
 }

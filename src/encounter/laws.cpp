@@ -5,6 +5,7 @@
 
 #include "encounter/participant.hpp"
 #include "stoss/encounter/relaxing.hpp"
+#include "stoss/encounter/roughness.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -12,6 +13,7 @@ namespace stoss {
 Mixture mixture(const Encounter& encounter) {
   validate(encounter);
   refuse_relaxing(encounter, "a table of pairs");
+  refuse_rough(encounter, "a table of pairs");
   const Solid first = first_solid(encounter);
   const auto second = second_solid(encounter);
   const bool rigid = encounter.first.rigid || encounter.against.rigid;
@@ -57,6 +59,7 @@ SlowLaw slow_law(const Solid& first, const std::optional<Solid>& second, const S
 
 SlowLaw slow_law(const Encounter& encounter) {
   validate(encounter);
+  refuse_rough(encounter, "the law of slow impacts");
   const Participant& met = encounter.against.kind == "same" ? encounter.first : encounter.against;
   const Solid first = first_solid(encounter);
   const std::optional<Solid> second = second_solid(encounter);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "check.hpp"
+#include "stoss/encounter/roughness.hpp"
 
 namespace stoss {
 namespace {
@@ -37,7 +38,7 @@ void require_layers(const Participant& of, const Kind& kind) {
   for (std::size_t i = 0; i < of.below.size(); ++i) {
     const std::string layer = "layer " + std::to_string(i + 2) + " ";
     for (const Parameter& each : kind.parameters) {
-      if (is_loss(each.name) && of.below[i].values.contains(each.name)) refuse_in_layer(layer, each.name, of);
+      if (is_of_whole(each.name) && of.below[i].values.contains(each.name)) refuse_in_layer(layer, each.name, of);
     }
     if (of.below[i].relaxation) refuse_in_layer(layer, "relaxation", of);
     if (of.below[i].material.has_value() != of.material.has_value()) {
@@ -55,7 +56,7 @@ void require_in_si(const Participant& of, const Kind& kind) {
   (void)plane_poisson(*of.material, of.plane);  // refuses the material
   constexpr Range any{1e-30, 1e30, true, true, "1e-30 to 1e30"};
   for (const Parameter& each : kind.parameters) {
-    const double size = each.unit == "m" ? given_or(of, each.name, 1.0) : 1.0;
+    const double size = each.unit == "m" && !is_of_face(each.name) ? given_or(of, each.name, 1.0) : 1.0;
     if (size > 0.0 && std::isfinite(size)) require(each.name, size, any, "in m");
   }
 }
@@ -63,9 +64,10 @@ void require_in_si(const Participant& of, const Kind& kind) {
 /// Its size and material, which what it meets is given in.
 Values values_of_file(const Participant& of) {
   if (!of.modal) throw InvalidInput::conflict("body", "a " + of.kind + " body needs its modes, from a body file");
-  if (!of.values.empty()) {
-    throw InvalidInput::conflict(of.values.begin()->first, "the body file has it already", "leave it out");
+  for (const auto& [name, value] : of.values) {
+    if (!is_of_face(name)) throw InvalidInput::conflict(name, "the body file has it already", "leave it out");
   }
+  (void)asperities_of(of);
   const ModalBody& its = *of.modal;
   return {{"radius", own_length(its)},
           {"poisson", its.poisson},
@@ -86,6 +88,7 @@ Values values_at_frequency(const Participant& of, std::optional<double> poisson,
     }
   }
   require_in_si(of, kind);
+  if (!kind.wall) (void)asperities_of(of);
   Values all;
   for (const Parameter& each : kind.parameters) {
     const std::string name(each.name);
@@ -94,6 +97,8 @@ Values values_at_frequency(const Participant& of, std::optional<double> poisson,
     } else if (is_loss(name)) {
       const Losses its = losses_of(of);
       all[name] = name == "quality" ? its.quality : its.loss_time;
+    } else if (is_of_face(name)) {
+      all[name] = given_or(of, name, 0.0);
     } else if (const auto found = of.values.find(name); found != of.values.end()) {
       all[name] = found->second;
     } else if (of.material) {

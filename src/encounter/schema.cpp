@@ -22,8 +22,13 @@ Json number_of(const Parameter& its) {
   return schema;
 }
 
-Json without_a_range(Json schema) {
-  for (const char* key : {"minimum", "exclusiveMinimum", "maximum"}) schema.erase(key);
+/// The same of what may be limited in units of a body, which are not those of the document: η, and asperities.
+Json given_as(const Parameter& its) {
+  Json schema = number_of(its);
+  if (its.name == "loss_time" || is_of_face(its.name)) {
+    for (const char* key : {"minimum", "exclusiveMinimum", "maximum"}) schema.erase(key);
+  }
+  if (is_of_face(its.name)) schema["minimum"] = 0;
   return schema;
 }
 
@@ -64,7 +69,7 @@ Json materials() {
 Json layers_of(const Kind& kind) {
   Json properties = Json::object();
   for (const Parameter& each : kind.parameters) {
-    if (!is_loss(each.name)) properties[std::string(each.name)] = number_of(each);
+    if (!is_of_whole(each.name)) properties[std::string(each.name)] = number_of(each);
   }
   properties["material"] = {{"$ref", "#/$defs/material"}};
   return {{"type", "array"},
@@ -144,19 +149,19 @@ Json modal_body() {
 /// @param first whether it is of the first body, whose numbers have no default but 1
 Json object_of(const Kind& kind, bool first) {
   if (kind.from_file) {
+    Json properties{{"kind", {{"const", kind.name}}},
+                    {"body", {{"$ref", "#/$defs/modal_body"}}},
+                    {"relaxation", {{"$ref", "#/$defs/relaxation"}}}};
+    for (const Parameter& each : kind.parameters) properties[std::string(each.name)] = given_as(each);
     return {{"type", "object"},
             {"description", kind.help},
-            {"properties",
-             {{"kind", {{"const", kind.name}}},
-              {"body", {{"$ref", "#/$defs/modal_body"}}},
-              {"relaxation", {{"$ref", "#/$defs/relaxation"}}}}},
+            {"properties", properties},
             {"required", {"kind", "body"}},
             {"additionalProperties", false}};
   }
   Json properties{{"kind", {{"const", kind.name}}}};
   for (const Parameter& each : kind.parameters) {
-    // η is limited in units of the body, which are not those of the document.
-    properties[std::string(each.name)] = each.name == "loss_time" ? without_a_range(number_of(each)) : number_of(each);
+    properties[std::string(each.name)] = given_as(each);
   }
   if (!kind.wall) properties["relaxation"] = {{"$ref", "#/$defs/relaxation"}};
   if (!kind.wall) properties["young_is"] = young_is();

@@ -7,6 +7,7 @@
 #include "encounter/participant.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/encounter/relaxing.hpp"
+#include "stoss/encounter/roughness.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::prediction {
@@ -89,11 +90,19 @@ Participant enlarged(Participant of, const Constant& constant, double factor) {
   return of;
 }
 
+/// u of a roughness, which is that of the factor from it to u₀.
+constexpr double of_roughness = asperities_over_rms_error / asperities_over_rms;
+
+bool has_roughness(const Participant& of) { return given_or(of, "roughness", 0.0) > 0.0; }
+
 std::string allowed_names(const Encounter& encounter) {
   std::string names = "work_of_adhesion";
   for (const std::string before : {"", "against."}) {
     if (!before.empty() && !encounter.against.material) continue;
     for (const Constant& each : constants()) names += ", " + before + std::string(each.name);
+  }
+  for (const std::string before : {"", "against."}) {
+    if (has_roughness(before.empty() ? encounter.first : encounter.against)) names += ", " + before + "roughness";
   }
   return names;
 }
@@ -102,10 +111,11 @@ void require_names(const Encounter& encounter, const PredictionOptions& options)
   for (const auto& [name, uncertainty] : options.uncertainties) {
     const bool other = name.starts_with("against.");
     const std::string_view constant = std::string_view(name).substr(other ? 8 : 0);
-    const bool known =
-        (name == "work_of_adhesion") || ((!other || encounter.against.material) &&
-                                         std::any_of(constants().begin(), constants().end(),
-                                                     [&](const Constant& each) { return each.name == constant; }));
+    const bool known = (name == "work_of_adhesion") ||
+                       (constant == "roughness" && has_roughness(other ? encounter.against : encounter.first)) ||
+                       ((!other || encounter.against.material) &&
+                        std::any_of(constants().begin(), constants().end(),
+                                    [&](const Constant& each) { return each.name == constant; }));
     if (!known) {
       throw InvalidInput::out_of_range("uncertainties", "'" + name + "'", allowed_names(encounter));
     }
@@ -142,8 +152,17 @@ std::vector<Variant> variants(const Encounter& encounter, const PredictionOption
       made.push_back(std::move(variant));
     }
   };
+  const auto add_roughness = [&](Participant Encounter::*side, const std::string& name) {
+    if (!has_roughness(encounter.*side)) return;
+    const double uncertainty = uncertainty_of(name, of_roughness);
+    if (uncertainty == 0.0) return;
+    made.push_back({name, uncertainty, encounter, options.work_of_adhesion, true});
+    (made.back().encounter.*side).values.at("roughness") *= 1.0 + uncertainty;
+  };
   add(&Encounter::first, "");
+  add_roughness(&Encounter::first, "roughness");
   add(&Encounter::against, "against.");
+  add_roughness(&Encounter::against, "against.roughness");
   const double of_work = uncertainty_of("work_of_adhesion", 0.0);
   if (of_work > 0.0 && options.work_of_adhesion) {
     made.push_back({"work_of_adhesion", of_work, encounter, *options.work_of_adhesion * (1.0 + of_work), false});

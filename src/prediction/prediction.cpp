@@ -11,6 +11,7 @@
 #include "prediction/touching.hpp"
 #include "prediction/warnings.hpp"
 #include "restitution/ordered_jobs.hpp"
+#include "stoss/encounter/roughness.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/curve.hpp"
 
@@ -43,6 +44,13 @@ Encounter without_loss(Encounter encounter, double frequency) {
       strip(*each->below[i].material, i + 1);
       each->below[i].material_name.clear();
     }
+  }
+  return encounter;
+}
+
+Encounter with_smooth_faces(Encounter encounter) {
+  for (Participant* each : {&encounter.first, &encounter.against}) {
+    std::erase_if(each->values, [](const auto& of) { return is_of_face(of.first); });
   }
   return encounter;
 }
@@ -92,6 +100,11 @@ class PredictionAtSpeed {
       if (options_.influences) add_influences(made);
     }
     made.warnings = prediction::warnings(encounter_, limits_, impact_, made);
+    if (asperities_of(encounter_) > 0.0 && !std::isnan(computed_.restitution)) {
+      const Restitution its = computed_impact(with_smooth_faces(encounter_), speed_, options_.tolerance, poll_);
+      const double waves = std::max(its.lost_fraction.value - its.dissipated, 0.0);
+      made.warnings.push_back(prediction::saved_by_asperities(computed_.waves(), waves));
+    }
     return made;
   }
 

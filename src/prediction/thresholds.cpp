@@ -1,5 +1,6 @@
 // Speeds at which yield and adhesion begin to matter.
 #include "prediction/touching.hpp"
+#include "stoss/encounter/roughness.hpp"
 #include "stoss/prediction/prediction.hpp"
 #include "stoss/quasistatic/adhesion.hpp"
 
@@ -13,6 +14,10 @@ Thresholds thresholds(const Encounter& encounter, const PredictionOptions& optio
   made.sticking = quasistatic::sticking_speed(its.pair, its.work_of_adhesion, its.mass);
   constexpr double matters = 10.0;  // (v_s/v)² is a hundredth
   made.adhesion = matters * made.sticking;
+  constexpr double compressions = 100.0;
+  const double given = asperities_of(encounter) * encounter.first.values.at("radius");
+  const double asperities = given > 0.0 ? given : asperities_over_rms * bearing_ball_roughness;
+  made.rough = its.speed_of_compression(compressions * asperities);
   return made;
 }
 

@@ -61,6 +61,10 @@ double Touching::radius_ratio(double speed) const {
   return std::sqrt(std::pow(1.25, 0.4) * speed * time(speed) * pair.curvature);
 }
 
+double Touching::speed_of_compression(double length) const {
+  return std::pow(length / (std::pow(1.25, 0.4) * time(1.0)), 1.25);
+}
+
 double Touching::tabor_number() const {
   constexpr double range = 3e-10;  // z₀, m
   const double ratio = work_of_adhesion * pair.softness / range;

@@ -28,6 +28,9 @@ struct Touching {
   /// Johnson, Kendall and Roberts have it, below 0.1 as Derjaguin, Muller and Toporov, who have no jump and no loss.
   [[nodiscard]] double tabor_number() const;
 
+  /// Speed of an impact that Hertz' theory compresses by a length, m.
+  [[nodiscard]] double speed_of_compression(double length) const;
+
   /// The models at a speed; radiation and mobility are not set.
   [[nodiscard]] quasistatic::InelasticContact contact(double speed) const;
 };

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "stoss/encounter/relaxing.hpp"
+#include "stoss/encounter/roughness.hpp"
 
 namespace stoss::prediction {
 namespace {
@@ -25,6 +26,10 @@ bool has_strength(const Participant& of) {
 
 }  // namespace
 
+std::string saved_by_asperities(double rough, double smooth) {
+  return "asperities: waves take " + rounded(rough) + " of the energy, " + rounded(smooth) + " between smooth faces";
+}
+
 std::vector<std::string> warnings(const Encounter& encounter, const Thresholds& limits, const Restitution& computed,
                                   const Prediction& made) {
   std::vector<std::string> all;
@@ -40,6 +45,10 @@ std::vector<std::string> warnings(const Encounter& encounter, const Thresholds& 
   } else if (made.speed < limits.adhesion) {
     all.push_back("adhesion takes more than a hundredth of the energy below " + rounded(limits.adhesion) +
                   " m/s: a model, of smooth and clean surfaces");
+  }
+  if (made.speed < limits.rough && asperities_of(encounter) == 0.0) {
+    all.push_back("faces are taken as smooth: below " + rounded(limits.rough) +
+                  " m/s even asperities as low as those of a bearing ball (24 nm rms) count; give a roughness");
   }
   for (const Participant* each : {&encounter.first, &encounter.against}) {
     const std::string who = each == &encounter.first ? "of the first body" : "of what it meets";

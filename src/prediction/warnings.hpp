@@ -11,4 +11,7 @@ namespace stoss::prediction {
 [[nodiscard]] std::vector<std::string> warnings(const Encounter& encounter, const Thresholds& limits,
                                                 const Restitution& computed, const Prediction& made);
 
+/// What asperities save. @param rough,smooth shares that ring and radiate
+[[nodiscard]] std::string saved_by_asperities(double rough, double smooth);
+
 }  // namespace stoss::prediction

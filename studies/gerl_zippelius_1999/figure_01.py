@@ -61,7 +61,8 @@ def compute(quick: bool) -> Tables:
             protocol.append((nu, v, *values))
     tolerance = 1e-3 if quick else 3e-4
     nu, v, printed = PRINTED
-    few = [stoss.impact(poisson=nu, speed=v, cutoff=at, against=stoss.ExponentialWall(hardness=500.0)) for at in FEW]
+    wall = stoss.ExponentialWall(hardness=500.0)
+    few = [stoss.impact(poisson=nu, speed=v, cutoff=at, against=wall, tail="none") for at in FEW]
     with warnings.catch_warnings():  # of large strains, which is the point
         warnings.simplefilter("ignore", stoss.StossWarning)
         beyond = stoss.restitution(poisson=nu, speed=BEYOND, tolerance=tolerance)

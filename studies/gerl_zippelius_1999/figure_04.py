@@ -46,7 +46,7 @@ def compute(quick: bool) -> Tables:
     edges, rows = [], []
     for hardness in (HARDNESS, 2.0 * HARDNESS):
         wall = stoss.ExponentialWall(hardness=hardness)
-        hit = stoss.impact(poisson=POISSON, speed=SPEED, cutoff=cutoff, against=wall)
+        hit = stoss.impact(poisson=POISSON, speed=SPEED, cutoff=cutoff, against=wall, tail="none")
         path = hit.trajectory()
         turn = np.argmax(path.center)
         closest = float(path.time[turn])

@@ -71,7 +71,7 @@ def compute(quick: bool) -> Tables:
     after = hit.mode_energies[np.argsort(-hit.mode_energies["after"], kind="stable")[:5]]
 
     wall = stoss.ExponentialWall(hardness=HARDNESS)
-    protocol = stoss.impact(poisson=POISSON, speed=SPEED, cutoff=cutoff_of(MODES), against=wall)
+    protocol = stoss.impact(poisson=POISSON, speed=SPEED, cutoff=cutoff_of(MODES), against=wall, tail="none")
     contact = soft((SPEED,), scaled=False)
     value = stoss.restitution(poisson=POISSON, speed=SPEED, tolerance=1e-3 if quick else 1e-4)
     limit = two_limits(POISSON, SPEED, np.array(SCALED) / SPEED)

@@ -40,7 +40,7 @@ NAMED = ((2, 0), (3, 0), (0, 0), (4, 0), (1, 1), (5, 0), (1, 0))
 def compute(quick: bool) -> Tables:
     cutoffs = QUICK_CUTOFFS if quick else CUTOFFS
     wall = stoss.ExponentialWall(hardness=HARDNESS)
-    runs = [stoss.impact(poisson=POISSON, speed=SPEED, cutoff=cutoff, against=wall) for cutoff in cutoffs]
+    runs = [stoss.impact(poisson=POISSON, speed=SPEED, cutoff=cutoff, against=wall, tail="none") for cutoff in cutoffs]
     chosen = selected_impact(runs[1], min(MODES, runs[1].modes - 1))
     order = np.repeat(np.arange(ORDERS), INDICES)
     index = np.tile(np.arange(INDICES), ORDERS)

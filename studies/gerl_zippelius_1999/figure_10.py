@@ -68,8 +68,8 @@ def in_motion(cutoff: float, quick: bool) -> tuple[Table, Table]:
     """The impacts in time, and their maxima, converged."""
     parts: list[Table] = []
     for speed in SPEEDS:
-        for name, wall in ((SOFT, stoss.ExponentialWall(hardness=HARDNESS)), (HARD, stoss.HardWall())):
-            path = stoss.impact(poisson=POISSON, speed=speed, cutoff=cutoff, against=wall).trajectory(every=2)
+        for name, wall, tail in ((SOFT, stoss.ExponentialWall(hardness=HARDNESS), "none"), (HARD, stoss.HardWall(), "radiating")):
+            path = stoss.impact(poisson=POISSON, speed=speed, cutoff=cutoff, against=wall, tail=tail).trajectory(every=2)
             compression = 1.0 + path.center + (plane(HARDNESS) if name == SOFT else 0.0)
             near = compression > -0.01  # a soft wall begins farther away
             parts.append({

@@ -33,7 +33,7 @@ def soft(speeds: tuple[float, ...], scaled: bool) -> Table:
     for speed in speeds:
         hardness = SCALED / speed if scaled else HARDNESS
         wall = stoss.ExponentialWall(hardness=hardness)
-        path = stoss.impact(poisson=POISSON, speed=speed, cutoff=cutoff, against=wall).trajectory()
+        path = stoss.impact(poisson=POISSON, speed=speed, cutoff=cutoff, against=wall, tail="none").trajectory()
         pressed = path.time[path.force > SHARE * path.force.max()]
         rows.append((speed, hardness, pressed[-1] - pressed[0], 1.0 + path.center.max() + plane(hardness)))
     names = ("speed[c]", "hardness[1/R]", "contact_time[R/c]", "max_compression_from_pressure_plane[R]")

@@ -51,7 +51,8 @@ READINGS = {"ν = 0.2": (0.2, SPEED), "ν = 0.45": (0.45, SPEED), "v = 0.05 c (r
 def compute(quick: bool) -> Tables:
     wall = stoss.ExponentialWall(hardness=HARDNESS)
     preliminary = stoss.impact(
-        poisson=POISSON, speed=SPEED, cutoff=QUICK_PRELIMINARY if quick else PRELIMINARY, against=wall
+        poisson=POISSON, speed=SPEED, cutoff=QUICK_PRELIMINARY if quick else PRELIMINARY, against=wall,
+        tail="none",
     )  # fmt: skip
     final = selected_impact(preliminary, MODES)
     order, index = (np.array(column) for column in zip(*MODES_OF_THE_PAPER))
@@ -60,7 +61,7 @@ def compute(quick: bool) -> Tables:
     table["protocol_rank"] = np.array([place(best, n, l) + 1 for n, l in MODES_OF_THE_PAPER])
     cutoffs = QUICK_CUTOFFS if quick else CUTOFFS
     step = QUICK_STEP if quick else STEP
-    runs = [stoss.impact(poisson=POISSON, speed=SPEED, cutoff=cutoff, against=wall, step=step) for cutoff in cutoffs]
+    runs = [stoss.impact(poisson=POISSON, speed=SPEED, cutoff=cutoff, against=wall, tail="none", step=step) for cutoff in cutoffs]
     hard = stoss.impact(poisson=POISSON, speed=SPEED, cutoff=cutoffs[2])
     for when in ("average", "after"):
         table[f"{when}_paper"] = np.array(PRINTED[when])
@@ -125,7 +126,7 @@ def _slips(cutoff: float) -> Table:
     add("time steps 2.5 times as long", modes, coarse.average, coarse.after, coarse.lost, coarse.energy_error)
     for name, (poisson, speed) in READINGS.items():
         wall = stoss.ExponentialWall(hardness=HARDNESS)
-        hit = stoss.impact(poisson=poisson, speed=speed, cutoff=cutoff, against=wall)
+        hit = stoss.impact(poisson=poisson, speed=speed, cutoff=cutoff, against=wall, tail="none")
         energies = hit.mode_energies
         made = slips.Modes(energies["order"], energies["index"], *[energies["omega"]] * 3)  # for their names only
         add(name, made, energies["average"], energies["after"], hit.lost_fraction, hit.energy_error)

@@ -56,7 +56,7 @@ def line(x: Column, y: Column, errors: Column | float = 0.0) -> Line:
 def lost_fraction(speed: float, at: float, alpha: float, poisson: float = POISSON) -> float:
     """1 − ε² of one impact with the modes up to the frequency `at`, c/R, on the wall α, 1/R."""
     wall = stoss.ExponentialWall(hardness=float(alpha))
-    return stoss.impact(poisson=poisson, speed=speed, cutoff=at, against=wall).lost_fraction
+    return stoss.impact(poisson=poisson, speed=speed, cutoff=at, against=wall, tail="none").lost_fraction
 
 
 class Limits(NamedTuple):
@@ -114,7 +114,8 @@ def selected_impact(preliminary: stoss.Impact, count: int) -> stoss.Impact:
     keep = np.zeros(preliminary.modes, dtype=bool)
     keep[ranked(preliminary.mode_energies)[:count]] = True
     return stoss.impact(
-        preliminary.body, speed=preliminary.speed, cutoff=preliminary.cutoff, against=preliminary.against, keep=keep
+        preliminary.body, speed=preliminary.speed, cutoff=preliminary.cutoff, against=preliminary.against, tail="none",
+        keep=keep,
     )  # fmt: skip
 
 
@@ -127,7 +128,7 @@ def ranked_intercepts(poisson: float, speed: float, pool: int, counts: tuple[int
 
     def run(alpha: float, keep: NDArray[np.bool_] | None = None) -> stoss.Impact:
         wall = stoss.ExponentialWall(hardness=float(alpha))
-        return stoss.impact(poisson=poisson, speed=speed, cutoff=highest, against=wall, keep=keep)
+        return stoss.impact(poisson=poisson, speed=speed, cutoff=highest, against=wall, tail="none", keep=keep)
 
     rank = np.argsort(ranked(run(np.sort(walls(speed))[-2]).mode_energies))
     lost = [[run(alpha, rank < n).lost_fraction for alpha in walls(speed)] for n in counts]

@@ -22,9 +22,9 @@ restitution --speed 0.1 --poisson 0.3 --length 1 | length: got --length with --b
 impact {DISK} --speed 0.1,0.2 | speed: got 2 numbers, allowed one (stoss restitution takes lists)
 impact {DISK} --speed 0.1 --every 0 | every: got 0, allowed 1 or more
 impact {DISK} --speed 0.1 --every 3 | every: got --every without --trajectory
-impact {DISK} --speed 0.1 --against wall,hardness=100 | against: got 'hardness', allowed none with wall
+impact {DISK} --speed 0.1 --against wall,hardness=100 | against: got 'hardness', allowed roughness, u0 with wall
 impact {DISK} --speed 0.1 --against exponential,hardness=inf | against hardness: got 'inf'
-impact {DISK} --speed 0.1 --against exponential --tail static | tail: got a tail with --against exponential
+impact {DISK} --speed 0.1 --tail none | tail: got none at smooth faces, allowed static or radiating
 impact {DISK} --speed 0.1 --nodes 1e99 | nodes: got '1e99'
 impact {DISK} --speed 0.1 --mode -1,0,energy=0.1 | vibration: got mode (-1, 0) of the first
 restitution {DISK} --speed 0.1,,0.2 | speed: got '0.1,,0.2'
@@ -44,10 +44,9 @@ restitution --body rod --speed 0.1 --poisson 0.3 | poisson: got --poisson with -
 restitution --body rod --speed 0.1 --rigid-body | rigid-body: got --rigid-body with --body rod, allowed only with --body sphere or disk
 restitution --body rod --speed 0.1 --young 1e9 --density 1e3 --length 1 | area: missing (a material needs it too, in m^2)
 restitution {SOLID} --speed 1 --yield 1e9 --rigid-body --against half-space,young=1e9,density=1e3 | yield: got --yield with --rigid-body
-restitution {BALL} --speed 0.1 --against exponential | against: got exponential, allowed wall, same or a body (stoss impact meets
 restitution {BALL} --speed 0.1 --against spere | against: got 'spere', allowed wall, same, disk, sphere, rod, half-space, half-plane, plate, strip, exponential, did you mean sphere?
 restitution {BALL} --speed 0.1 --against disk | against: got disk for a sphere, allowed wall, same, sphere, half-space, plate or modal
-restitution {BALL} --speed 0.1 --against sphere,length=2 | against: got 'length', allowed poisson, radius, young, density, loss_time, quality, yield, rigid, relaxation, young_is, material with sphere
+restitution {BALL} --speed 0.1 --against sphere,length=2 | against: got 'length', allowed poisson, radius, young, density, loss_time, quality, roughness, u0, yield, rigid, relaxation, young_is, material with sphere
 restitution {BALL} --speed 0.1 --against sphere,raduis=2 | against: got 'raduis'
 restitution {BALL} --speed 0.1 --against sphere, | against: got ''
 restitution {BALL} --speed 0.1 --against , | against: got ''
@@ -92,7 +91,6 @@ distribution {BALL} --speed 0.01 | temperature: got neither --temperature and --
 distribution {BALL} --speed 0.01 --temperature 1 --spectrum 2,0,energy=1 | temperature: got both
 distribution {BALL} --speed 0.01 --spectrum 2,0,energy=1 --highest 10 | highest: got --highest with --spectrum
 distribution {BALL} --speed 0.01 --spectrum 2,0,energy=1,phase=1 | spectrum: got 'phase', allowed energy, of
-distribution {BALL} --speed 0.01 --against exponential --temperature 1 | against: got exponential
 oblique --body rod --friction 0.3 --speed 0.1 | friction: not available for 'rod', but for disks
 oblique {BALL} --friction 0.2 --speed 0.5 --angle 80 | tangential: got 2.8
 oblique {BALL} --friction 0.2 --speed 0.05 --second-spin 0.1 | second_spin: got one that is not 0, allowed only 0
@@ -169,7 +167,7 @@ modes {DISK} extra | unknown argument: extra
 modes {DISK} --format xml | --format
 impact {DISK} | --speed or --height is required
 impact {DISK} --speed | --speed
-impact {DISK} --speed 0.1 --tail none | --tail
+impact {DISK} --speed 0.1 --tail soft | --tail
 restitution --speed 0.1 | --poisson is required
 restitution --body ball --poisson 0.33 --speed 0.1 | --body
 restitution {DISK} --speed 0.1 --resume | --resume

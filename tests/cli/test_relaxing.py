@@ -55,7 +55,7 @@ def test_a_quality_is_the_same_at_all_speeds(stoss):
         ("--against sphere,young_is=relaxed", "against young_is: there is no relaxation"),
         ("--against sphere,relaxation=0.5:1,young_is=E0", "against young_is: got 'E0', allowed instantaneous, relaxed"),
         ("--against plate,thickness=1/thickness=1,relaxation=0.5:1", "against: got 'relaxation', allowed thickness"),
-        ("--against wall,relaxation=0.5:1", "against: got 'relaxation', allowed none with wall"),
+        ("--against wall,relaxation=0.5:1", "against: got 'relaxation', allowed roughness, u0 with wall"),
     ],
 )
 def test_refusals(stoss, options, line):

@@ -33,7 +33,8 @@ TEST(EncounterDocument, IsRefusedInOneLine) {
   EXPECT_EQ(said("{}"), "encounter: got {}, allowed an object with a first body");
   EXPECT_EQ(said(R"({"first":{"kind":"disk","poisson":"x"}})"), "first poisson: got \"x\", allowed a finite number");
   EXPECT_EQ(said(R"({"first":{"kind":"disk","poison":0.3}})"),
-            "first: got \"poison\", allowed kind, poisson, radius, young, density, loss_time, quality, relaxation, "
+            "first: got \"poison\", allowed kind, poisson, radius, young, density, loss_time, quality, roughness, u0, "
+            "relaxation, "
             "young_is, material, plane, rigid");
   EXPECT_EQ(said(R"({"first":{"kind":"disk","poisson":0.3},"speed":1})"),
             "encounter: got \"speed\", allowed format, first, against, vibration");

@@ -72,8 +72,8 @@ RESULTS = {
                       "impact --body disk --poisson 0.33 --speed 0.1 --cutoff 15 --tail static"),
     "impact-soft": (
         lambda: stoss.impact(poisson=0.33, speed=0.1, cutoff=15, against=stoss.ExponentialWall(hardness=99,
-         strength=2)),
-        "impact --body disk --poisson 0.33 --speed 0.1 --cutoff 15 --against exponential,hardness=99,strength=2"),
+         strength=2), tail="none"),
+        "impact --body disk --poisson 0.33 --speed 0.1 --cutoff 15 --against exponential,hardness=99,strength=2 --tail none"),
     "impact-resolved": (lambda: stoss.impact(poisson=0.33, speed=0.1, cutoff=15, step=0.01, nodes=100),
                         "impact --body disk --poisson 0.33 --speed 0.1 --cutoff 15 --step 0.01 --nodes 100"),
     "oblique-balls": (
@@ -127,7 +127,7 @@ RESULTS = {
     "empty": (lambda: stoss.restitution(BALL, speed=[]), None),
     "pairs": (lambda: stoss.restitution(poisson=[0.3, 0.4], against="same", speed=0.1, tolerance=1e-2), None),
     "chosen modes": (lambda: stoss.impact(poisson=0.33, speed=0.1, cutoff=6, against=stoss.ExponentialWall(),
-     keep=np.arange(20) < 9), None),
+     tail="none", keep=np.arange(20) < 9), None),
     "field": (lambda: small_hit().field(time=[2, 1], radius=[0.0, 0.5, 1.0], angle=[0.0, 3.0]), None),
     "frame": (lambda: small_hit().field(time=2, radius=[0.0, 1.0], angle=[0.0, 3.0]), None),
     "field of a ball": (lambda: stoss.impact(BALL, speed=1.0, cutoff=8).field(time=2, radius=[0.5, 1.0], angle=[0.0,

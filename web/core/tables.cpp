@@ -28,7 +28,9 @@ static void to_json(Json& json, const Kind& kind) {
           {"canYield", kind.can_yield},  {"hasPlane", kind.has_plane},
           {"fromFile", kind.from_file},  {"length", unit_name(Dimension::length, kind.own)},
           {"parameters", Json::array()}, {"meets", Json::array()}};
-  for (const Parameter& each : kind.parameters) json["parameters"].push_back(Json(each));
+  for (const Parameter& each : kind.parameters) {
+    if (!is_of_face(each.name)) json["parameters"].push_back(Json(each));  // the page asks for smooth faces only
+  }
   for (const Kind& other : kinds()) {
     if (!other.wall && meets(kind, other)) json["meets"].push_back(other.name);
   }

@@ -155,7 +155,7 @@ struct Body {
   Relaxation relaxation{};  ///< of a material that relaxes, times in R/c; instead of a loss time (relaxing)
   std::vector<MaterialLoss> layers{};  ///< of layers that lose energy in different ways, times in R/c: both numbers
                                        ///< above are then those of the uppermost one, at the surface
-  Coat coat{};              ///< on its face; a compliance of 0: none
+  Coat coat{};                         ///< on its face; a compliance of 0: none
   double asperities = 0.0;  ///< u₀ of its rough face, R: pressure falls as e^{−gap/u₀} (rough); 0: smooth
   double cutoff = 0.0;      ///< all modes with ω ≤ kept_cutoff(body) are in `groups` (but see with_modes)
   double highest_cutoff = std::numeric_limits<double>::infinity();  ///< that such a body can be made with
@@ -217,7 +217,8 @@ using BodyMaker = std::function<Body(double cutoff, const Poll& poll)>;
 
 /// The same body with a rough face, whose asperities deform elastically: their pressure is p₀ e^{−g/u₀} at the mean gap
 /// g (B. N. J. Persson, Phys. Rev. Lett. 99, 125502 (2007)). Of two faces u₀² = u₁² + u₂². What p₀ is does not matter.
-/// @param asperities u₀, 0 to 1 in its R; some 0.4 of the rms height of the asperities
+/// @param asperities u₀, 0 to 1000 in its R, of which an impact of bodies alike in size takes 1; some 0.45 of the rms
+///                   height (stoss/encounter/roughness.hpp)
 [[nodiscard]] Body rough(const Body& body, double asperities);
 
 /// Makes such a body at any cutoff; of 0 the body itself.

@@ -57,10 +57,11 @@ void validate(const Encounter& encounter);
 [[nodiscard]] BodyMaker first_maker(const Encounter& encounter);
 [[nodiscard]] BodyMaker second_maker(const Encounter& encounter);
 
-/// The wall that the first meets; a hard one for two bodies. @throws InvalidInput as validate
+/// The wall that the first meets, a rough one as an exponential one; a hard one for two bodies.
+/// @throws InvalidInput as validate
 [[nodiscard]] Wall wall_of(const Encounter& encounter);
 
-/// At any cutoff, for `restitution`; of an exponential wall, at the hard one. @throws InvalidInput as validate
+/// At any cutoff, for `restitution`. @throws InvalidInput as validate
 [[nodiscard]] RefinableContact refinable(const Encounter& encounter);
 
 /// At one cutoff, and for contacts as long as at this speed, both in units of the first body.

@@ -63,12 +63,17 @@ struct Prediction {
 /// @throws InvalidInput unless the height is finite and 0 or more
 [[nodiscard]] double speed_of_drop(double height);
 
+/// rms height of the asperities of a bearing ball, among the smoothest of balls, m (docs/reference/roughness.md).
+inline constexpr double bearing_ball_roughness = 24e-9;
+
 /// Speeds at which models begin to matter, m/s.
 struct Thresholds {
   std::optional<double> yield{};       ///< yielding begins above it; nothing without a yield strength
   std::optional<double> impression{};  ///< the impression is no longer small beside the radius above it
   double sticking = 0.0;               ///< bodies stick below it, as far as adhesion alone goes
   double adhesion = 0.0;               ///< adhesion takes more than a hundredth of the energy below it
+  double rough = 0.0;  ///< below it asperities count: u₀ is more than a hundredth of the compression. Of faces without
+                       ///< a roughness as if they had bearing_ball_roughness
 };
 
 /// How a prediction is made.

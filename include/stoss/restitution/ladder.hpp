@@ -15,11 +15,14 @@ struct Levels {
   int highest;
 };
 
-/// A body at a hard wall, or two bodies, at any of a ladder of cutoffs. Each contact is made when it is first asked for
+/// A body at a wall, or two bodies, at any of a ladder of cutoffs. Each contact is made when it is first asked for
 /// and kept. Copies share what is made; any number of threads may ask.
 class RefinableContact {
  public:
-  /// A body at a hard wall.
+  /// A body at a wall. @throws InvalidInput as validate(Wall)
+  RefinableContact(BodyMaker body, const Wall& wall);
+
+  /// At a hard wall.
   explicit RefinableContact(BodyMaker body);
 
   /// Two bodies. @throws InvalidInput as contact, and for bodies so unequal in size or wave speed that even a coarse

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Union
 
 from stoss.bodies._modal import ModalBody
-from stoss.bodies._solid import KINDS, is_rigid
+from stoss.bodies._solid import FACE, KINDS, is_rigid
 from stoss.bodies._solids import Disk as Disk, Rod as Rod, Sphere as Sphere
 from stoss.bodies._walls import UNBOUNDED, Unbounded
 
@@ -29,5 +29,6 @@ def shown(body: Body | Unbounded, against: object = None) -> str:
         return f"{type(body).__name__}({len(layers)} layers)"
     said = [f"poisson={body.poisson:.6g}"] if hasattr(body, "poisson") else []
     lengths = [each.name for each in KINDS[body._kind].parameters if each.unit == "m"]
+    lengths = [name for name in lengths if name not in FACE or getattr(body, name)]
     said += [f"{name}={getattr(body, name):g} m" for name in lengths]
     return f"{type(body).__name__}({', '.join([*said, *['rigid'] * is_rigid(body)])})"

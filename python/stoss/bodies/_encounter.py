@@ -15,7 +15,7 @@ from stoss._errors import InvalidInput
 from stoss.bodies._bodies import BODIES, PARTNERS, Body, Disk, Sphere
 from stoss.bodies._material import NAMES
 from stoss.bodies._solid import KINDS, LOSSES, Solid, Specification, describe, is_rigid, losses_of
-from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded, Wall
+from stoss.bodies._walls import UNBOUNDED, WALLS, HardWall, Unbounded, Wall
 
 
 Against = Union[Wall, Body, Unbounded]
@@ -51,7 +51,7 @@ def choose_bodies(given: Any) -> tuple[list[Body], NDArray[np.float64]]:
     return list(found), np.array([found[each] for each in array.flat], dtype=np.float64).reshape(array.shape)
 
 
-def choose_against(body: Body, against: Any, walls: tuple[type, ...]) -> Against:
+def choose_against(body: Body, against: Any, walls: tuple[type, ...] = WALLS) -> Against:
     """What the body meets: one of these walls, an identical body, or another body."""
     named: dict[str, Any] = {"same": body, **({"wall": HardWall()} if HardWall in walls else {})}
     if against is None:
@@ -80,8 +80,8 @@ def choose_against(body: Body, against: Any, walls: tuple[type, ...]) -> Against
 
 
 def choose_tail(tail: Any) -> str:
-    """How the modes above the cutoff answer a hard contact."""
-    return choice("tail", tail, ("radiating", "static"))
+    """How the modes above the cutoff answer a contact."""
+    return choice("tail", tail, ("radiating", "static", "none"))
 
 
 def choose_cutoff(cutoff: Any, body: Body, against: Against, speed: float, most: float = 50.0) -> float:
@@ -101,7 +101,9 @@ def _document(body: Body, against: Against) -> str:
                     for each in (body, against))
         first, second = (describe(each) if in_si else each._numbers() for each in (body, against))
         return json.dumps({"first": first, "against": second})
-    return json.dumps({"first": body._numbers_at_wall(), "against": against._document()})
+    # A body by itself is in its own units, one of a file in SI.
+    per = 1.0 if KINDS[body._kind].from_file else getattr(body, "radius", None) or getattr(body, "length")
+    return json.dumps({"first": body._numbers_at_wall(), "against": against._document(per)})
 
 
 # Contacts are made once for each resolution. One with 1000 modes takes 0.1 MB, a refined one 10 MB.
@@ -190,7 +192,7 @@ def material_warnings_of(body: Any, against: Any, fastest: float) -> list[str]:
     """All that the core says of the materials of results up to this speed, m/s."""
     yields = yield_warning_of(body, against, fastest)
     said = [yields] if yields else []
-    if body.material is None or not isinstance(against, (str, type(None), *PARTNERS, HardWall)):
+    if body.material is None or not isinstance(against, (str, type(None), *PARTNERS, *WALLS)):
         return said
     met = "same" if isinstance(against, str) or against is body else HardWall() if against is None else against
     return said + drop_encounter(body, met).sound_warnings()

@@ -16,7 +16,7 @@ from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._material import Material
 from stoss.bodies._modal_file import read_document, write_document
-from stoss.bodies._solid import Solid, Specification
+from stoss.bodies._solid import FACE, Solid, Specification, face_of
 
 FORMAT = "stoss modal body 1"
 NUMBERS = ("mass", "young", "poisson", "density", "compliance", "loss_time", "compliance_error", "complete_to")
@@ -64,6 +64,7 @@ class ModalBody(Solid):
             point along the normal and along the surface at once.
         tangential_displacement (array_like, optional): Displacement of each mode along that direction, kg^(−1/2).
         tangential_displacement_curvature, tangential_displacement_error (array_like, optional): As above.
+        roughness, u0 (float, optional): How rough its face is, as of other bodies, in m; not in its file.
         name, origin (str, optional): What it is, and where its numbers come from.
         material (Material): Not to be given: that of `young`, `poisson` and `density`.
 
@@ -100,6 +101,8 @@ class ModalBody(Solid):
     tangential_displacement: NDArray[np.float64] | None = None
     tangential_displacement_curvature: NDArray[np.float64] | None = None
     tangential_displacement_error: NDArray[np.float64] | None = None
+    roughness: float = 0.0
+    u0: float = 0.0
     name: str = "modal body"
     origin: str = ""
 
@@ -113,6 +116,8 @@ class ModalBody(Solid):
         for name in ("frequency_error", "displacement_error"):
             made[name] = _fixed(name, np.zeros(count)) if made[name] is None else made[name]
         highest = made["frequency"][-1] if count else None
+        for name in FACE:
+            made[name] = number(name, getattr(self, name))
         for name in NUMBERS:
             given = getattr(self, name)
             if name != "complete_to" or given is not None or highest is None:
@@ -136,6 +141,7 @@ class ModalBody(Solid):
             object.__setattr__(self, name, value)
         object.__setattr__(self, "_text", json.dumps(self.to_dict(), sort_keys=True))
         _require(self.to_dict())
+        _core.check_face(self.roughness, self.u0)
         lossy = self.loss_time or None
         material = Material(young=self.young, poisson=self.poisson, density=self.density, loss_time=lossy)
         object.__setattr__(self, "material", material)
@@ -145,13 +151,16 @@ class ModalBody(Solid):
         return f"ModalBody({self.name!r}, {count} mode{'s' * (count != 1)}{highest})"
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, ModalBody) and vars(self)["_text"] == vars(other)["_text"]
+        return isinstance(other, ModalBody) and self._key() == other._key()
 
     def __hash__(self) -> int:
-        return hash(vars(self)["_text"])
+        return hash(self._key())
+
+    def _key(self) -> tuple[str, float, float]:
+        return vars(self)["_text"], self.roughness, self.u0
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return ModalBody.from_dict, (self.to_dict(),)
+        return _again, (self.to_dict(), face_of(self))
 
     def to_dict(self) -> dict[str, Any]:
         """Return the document of the body in plain types, as its JSON file has it."""
@@ -211,13 +220,23 @@ class ModalBody(Solid):
         bodies[1]["modes"]["frequency"] = np.sort(self.frequency + np.asarray(self.frequency_error)).tolist()
         moved = self.displacement + np.copysign(np.asarray(self.displacement_error), self.displacement)
         bodies[2]["modes"]["displacement"] = moved.tolist()
-        return tuple(map(ModalBody.from_dict, bodies))
+        return tuple(_again(each, face_of(self)) for each in bodies)
+
+    def with_face(self, **face: float) -> ModalBody:
+        """Return it with another `roughness` or `u0`; without any, as it is."""
+        return _again(self.to_dict(), {**face_of(self), **face}) if face else self
 
     def _numbers(self) -> Specification:
-        return {"kind": self._kind, "body": json.loads(vars(self)["_text"])}
+        return {"kind": self._kind, "body": json.loads(vars(self)["_text"]), **face_of(self)}
 
     def _numbers_at_wall(self) -> Specification:
         return self._numbers()
+
+
+def _again(document: Mapping[str, Any], face: Mapping[str, float]) -> ModalBody:
+    """The body of a document, with what says how rough its face is."""
+    words = {name: each for name, each in document.items() if name not in ("format", "modes")}
+    return ModalBody(**words, **document["modes"], **face)
 
 
 def _finite(name: str, value: Any) -> Any:

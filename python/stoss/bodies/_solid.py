@@ -69,11 +69,25 @@ LOSSES = ("loss_time", "quality", "relaxation")
 NO_LOSSES: Mapping[str, Any] = MappingProxyType({"loss_time": 0.0, "quality": 0.0, "relaxation": None})
 """How a material loses energy: in one of these ways."""
 
+FACE = ("roughness", "u0")
+SMOOTH: Mapping[str, Any] = MappingProxyType(dict.fromkeys(FACE, 0.0))
+"""How rough a face is: one of these, or 0."""
+
 
 def losses_of(material: Material) -> dict[str, Any]:
     """Those of a material."""
     numbers = {name: getattr(material, name) or 0.0 for name in ("loss_time", "quality")}
     return {**numbers, "relaxation": material.relaxation}
+
+
+def face_of(solid: Any, per: float = 1.0) -> Specification:
+    """What says how rough its face is; nothing of a smooth one. @param per unit of its numbers"""
+    return {name: getattr(solid, name) / per for name in FACE if getattr(solid, name, 0.0)}
+
+
+def is_rough(solid: Any) -> bool:
+    """Whether it has a rough face."""
+    return bool(face_of(solid))
 
 
 def relaxes(solid: Any) -> bool:
@@ -93,6 +107,9 @@ class Solid:
             frequencies, 3 to 1e9. Without a material E is E(0), the modulus at 50 c/R and beyond.
         relaxation (sequence of (float, float), optional): In place of both, shares of the modulus E(0) that
             relax, and their times, in the unit of `loss_time`. Then E is E(0).
+        roughness (float, optional): Height (rms) of the elastic asperities of its face, in the unit of the
+            sizes, for what has none in R of the first body; 0: smooth. Their length u₀ is 0.45 of it (± 0.05).
+        u0 (float, optional): In place of it: u₀, as in a pressure of p₀ e^(−gap/u₀), up to R of the first body.
         material (Material): In place of `poisson`, `young` and `density`; for what meets a body
             that has one.
         rigid (bool, optional): Young's modulus is infinite. The body keeps its mass, and the given
@@ -107,6 +124,8 @@ class Solid:
     loss_time: float
     quality: float
     relaxation: Relaxation | None
+    roughness: float
+    u0: float
     material: Material | None
 
     def __init_subclass__(cls) -> None:
@@ -124,7 +143,7 @@ class Solid:
         if material is not None:
             instance("material", material, (Material,))
             plane = "stress" if plane is None and kind.has_plane else plane
-            made |= dict.fromkeys(made) | material._constants(plane) | losses_of(material)
+            made |= dict.fromkeys(made) | material._constants(plane) | losses_of(material) | SMOOTH
         elif plane is not None:
             raise refusal("plane", plane, "none without a material (`poisson` is the 2-D Poisson's ratio)")
         fields: dict[str, Any] = {"material": material}
@@ -144,6 +163,7 @@ class Solid:
         numbers = {each.name: fields[each.name] for each in kind.parameters}
         still_open = 0.25  # is in the range of all numbers that may be
         _core.check_solid(self._kind, {name: still_open if of is None else of for name, of in numbers.items()})
+        _core.check_face(self.roughness, self.u0)
         if own:
             rigid_too = {"rigid": True} if fields.get("rigid") else {}
             young_of({**rigid_too, **{name: fields[name] for name in LOSSES if fields[name] is not None}})
@@ -173,7 +193,7 @@ class Solid:
             usual |= {each.name: each.otherwise for each in kind.parameters} | {"material": None, "plane": None}
         else:
             usual |= {each.name: fields[each.name] for each in kind.parameters if each.of_material}
-            usual |= NO_LOSSES if fields.get("rigid") else losses_of(self.material)
+            usual |= SMOOTH | (NO_LOSSES if fields.get("rigid") else losses_of(self.material))
         same = all(usual.get(name) == fields.get(name) for name in LOSSES)
         said_of_losses = {} if same else losses_in(self)
         usual |= {name: None if name in said_of_losses else fields.get(name) for name in LOSSES}
@@ -190,6 +210,7 @@ class Solid:
     def _numbers(self) -> Specification:
         """It in plain types by its numbers, as an encounter of bodies without a material has it."""
         numbers = {each.name: getattr(self, each.name) for each in KINDS[self._kind].parameters}
+        numbers = {name: each for name, each in numbers.items() if name not in FACE} | face_of(self)
         numbers |= {"relaxation": self.relaxation} if self.relaxation is not None else {}
         return {"kind": self._kind, **numbers, **({"rigid": True} if is_rigid(self) else {})}
 
@@ -201,7 +222,7 @@ class Solid:
         relaxation = self.relaxation and [(share, time * rate) for share, time in self.relaxation]
         losses = {"loss_time": self.loss_time * rate, "quality": self.quality, "relaxation": relaxation}
         given = {name: each for name, each in losses.items() if each or name == "loss_time"}
-        return {"kind": self._kind, **poisson, **given}
+        return {"kind": self._kind, **poisson, **given, **face_of(self, size)}
 
 
 Block = TypeVar("Block", bound="Endless")
@@ -228,13 +249,14 @@ def describe(solid: Solid) -> Specification:
     given = {field.name: getattr(solid, field.name) for field in dataclasses.fields(solid)}
     if layers := given.pop("layers", None):
         each = [{name: value for name, value in describe(layer).items() if name != "kind"} for layer in layers]
-        return {"kind": solid._kind, "layers": each, **losses_in(solid)}
+        return {"kind": solid._kind, "layers": each, **losses_in(solid), **face_of(solid)}
     if solid.material is not None:
         given = {name: value for name, value in given.items() if name not in ("poisson", "young", "density")}
         given["material"] = solid.material._words()
     usual = {name: value for name, value in given.items() if value is not None and value is not False}
     losses = losses_in(solid) if "loss_time" in given else {}
-    return {"kind": solid._kind, **{name: value for name, value in usual.items() if name not in LOSSES}, **losses}
+    its = {name: value for name, value in usual.items() if name not in (*LOSSES, *FACE)}
+    return {"kind": solid._kind, **its, **losses, **face_of(solid)}
 
 
 def losses_in(solid: Solid) -> Specification:
@@ -246,7 +268,7 @@ def losses_in(solid: Solid) -> Specification:
 @functools.lru_cache(maxsize=64)
 def alone(solid: Solid) -> _core.Encounter:
     """An elastic body by itself, in the units in which it is given: it knows those of all that comes with it."""
-    elastic = {name: value for name, value in describe(solid).items() if name != "rigid"}
+    elastic = {name: value for name, value in describe(solid).items() if name not in ("rigid", *FACE)}
     return _core.encounter(json.dumps({"first": elastic}))
 
 

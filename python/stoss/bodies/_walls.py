@@ -10,7 +10,9 @@ from stoss import _core
 from stoss._arguments import brief, instance, number, refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._material import Material, Relaxation
-from stoss.bodies._solid import LEFT_OUT, LOSSES, NO_LOSSES, Endless, Parameter, Solid, Specification, describe, losses_in, losses_of
+from stoss.bodies._solid import (
+    FACE, LEFT_OUT, LOSSES, NO_LOSSES, Endless, Parameter, Solid, Specification, describe, face_of, losses_in, losses_of,
+)
 from stoss.bodies._solids import HalfPlane as HalfPlane, HalfSpace as HalfSpace, Strip as Strip
 
 
@@ -44,7 +46,7 @@ class Layer(Solid):
 
     def _of_one(self, whole: Specification) -> Specification:
         """What of a plate of this layer alone is not of all together."""
-        return {name: value for name, value in whole.items() if name not in ("kind", *LOSSES) and value is not None}
+        return {name: value for name, value in whole.items() if name not in ("kind", *LOSSES, *FACE) and value is not None}
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
@@ -83,6 +85,8 @@ class Plate(Endless):
     density: float = LEFT_OUT
     loss_time: float = LEFT_OUT
     quality: float = LEFT_OUT
+    roughness: float = LEFT_OUT
+    u0: float = LEFT_OUT
     relaxation: Relaxation | None = None
     material: Material | None = None
     layers: Sequence[Layer] | None = None
@@ -101,7 +105,7 @@ class Plate(Endless):
                 raise refusal(name, given, "none beside layers")
             object.__setattr__(self, name, its)
         layers = [each._of_one(describe(each)) for each in self.layers]
-        losses = {name: getattr(self, name) for name in LOSSES if getattr(self, name) is not None}
+        losses = {name: getattr(self, name) for name in (*LOSSES, *FACE) if getattr(self, name) is not None}
         document: Specification = {"kind": self._kind, "layers": layers, **losses}
         super().__post_init__()
         object.__setattr__(self, "layers", tuple(self.layers) if len(self.layers) > 1 else None)
@@ -116,7 +120,7 @@ class Plate(Endless):
             return super().__repr__()
         usual = losses_of(self.material) if self.material else NO_LOSSES
         own = {name: getattr(self, name) for name in LOSSES}
-        given = {} if own == usual else losses_in(self)
+        given = ({} if own == usual else losses_in(self)) | face_of(self)
         return f"Plate(layers={list(self.layers)!r}{''.join(f', {name}={brief(its)}' for name, its in given.items())})"
 
     def _beside(self, body: Any) -> Plate:
@@ -124,13 +128,13 @@ class Plate(Endless):
             return super()._beside(body)
         layers = [each if each.poisson is not None else dataclasses.replace(each, poisson=body.poisson)
                   for each in self.layers]
-        return Plate(layers=layers, **losses_in(self))
+        return Plate(layers=layers, **losses_in(self), **face_of(self))
 
     def _numbers(self) -> Specification:
         if self.layers is None:
             return super()._numbers()
         layers = [each._of_one(each._numbers()) for each in self.layers]
-        return {"kind": self._kind, "layers": layers, **losses_in(self)}
+        return {"kind": self._kind, "layers": layers, **losses_in(self), **face_of(self)}
 
 
 def _require(plate: Specification, material: Material | None) -> None:
@@ -151,27 +155,45 @@ def lower_face(against: Any, body: Any) -> float:
     return float(sum(known) / body.radius) if len(known) == len(layers) else float("inf")
 
 
-@dataclasses.dataclass(frozen=True, init=False)
+@dataclasses.dataclass(frozen=True, init=False, repr=False)
 class HardWall:
-    """A rigid wall: no point of the body passes it, and pressure is never negative (Signorini)."""
+    """A rigid wall: no point of the body passes it, and pressure is never negative (Signorini).
 
-    def __init__(self, *, tail: None = None) -> None:
+    Parameters:
+        roughness (float, optional): Height (rms) of the elastic asperities of its face, in the unit of the
+            radius of the body, with a material in m; 0: smooth. Their length u₀ is 0.45 of it (± 0.05).
+        u0 (float, optional): In place of it: u₀, as in a pressure of p₀ e^(−gap/u₀).
+    """
+
+    roughness: float
+    u0: float
+
+    def __init__(self, *, roughness: float = 0.0, u0: float = 0.0, tail: None = None) -> None:
         if tail is not None:
             raise TypeError("HardWall: got tail, which is an argument of the call: stoss.impact(..., tail='static')")
+        object.__setattr__(self, "roughness", number("roughness", roughness))
+        object.__setattr__(self, "u0", number("u0", u0))
+        _core.check_face(self.roughness, self.u0)
 
-    def _document(self) -> str:
-        return "wall"
+    def __repr__(self) -> str:
+        return f"HardWall({', '.join(f'{name}={brief(value)}' for name, value in face_of(self).items())})"
+
+    def _document(self, per: float = 1.0) -> Any:
+        """As an encounter's document has it. @param per unit of its numbers"""
+        face = face_of(self, per)
+        return {"kind": "wall", **face} if face else "wall"
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class ExponentialWall:
-    """The soft wall of Gerl and Zippelius, with the potential V₀ ∫ dφ e^{αx(φ)}.
+    """A rigid wall with elastic asperities of the length 1/α, whose pressure at a depth x is αV₀ e^(αx).
 
-    Modes above the cutoff are left out.
+    It is the soft wall of Gerl and Zippelius. Theirs pushes on the length of the edge, and the modes that are not
+    kept do not answer: that is ``stoss.impact(..., tail="none")``.
 
     Parameters:
-        hardness (float): α, 1/R, 1 to 1e6.
-        strength (float): V₀, ρc²R²; it shifts the wall by ln V₀/α and changes nothing else.
+        hardness (float): α, 1/R of the body, 1 to 1e8.
+        strength (float): V₀, ρc²R; it shifts the wall by ln V₀/α and changes nothing else.
     """
 
     hardness: float = 500.0
@@ -182,12 +204,15 @@ class ExponentialWall:
             object.__setattr__(self, name, number(name, getattr(self, name)))
         _core.check_wall(self.hardness, self.strength)
 
-    def _document(self) -> dict[str, str | float]:
+    def _document(self, per: float = 1.0) -> Any:
         return {"kind": "exponential", "hardness": self.hardness, "strength": self.strength}
 
 
 Wall = Union[HardWall, ExponentialWall]
 """Any wall: a hard or an exponential one."""
+
+WALLS = (HardWall, ExponentialWall)
+"""The classes of walls, for isinstance."""
 
 Unbounded = Union[HalfSpace, HalfPlane, Plate, Strip]
 UNBOUNDED = (HalfSpace, HalfPlane, Plate, Strip)

@@ -11,7 +11,7 @@ from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body
 from stoss.bodies._encounter import choose_against, choose_body, encounter
 from stoss.bodies._solid import own_units
-from stoss.bodies._walls import HardWall, Unbounded
+from stoss.bodies._walls import Unbounded, Wall
 from stoss.results._progress import waiting
 from stoss.results._rule import CollisionRule
 from stoss.results._si import warn_at
@@ -22,7 +22,7 @@ def collision_rule(
     body: Body | None = None,
     *,
     speed: ArrayLike,
-    against: HardWall | Body | Unbounded | str | None = None,
+    against: Wall | Body | Unbounded | str | None = None,
     poisson: float | None = None,
     ratio: ArrayLike | None = None,
     friction: float | None = None,
@@ -57,7 +57,7 @@ def collision_rule(
         ([-0.005, 0.0012, 0.0], [0.0, 0.0, -0.002])
     """
     chosen = choose_body(body, poisson, rigid=True)
-    met = choose_against(chosen, against, (HardWall,))
+    met = choose_against(chosen, against)
     ranges = {"speed": numbers("speed", speed)}
     if ratio is not None:
         ranges["ratio"] = numbers("ratio", ratio)

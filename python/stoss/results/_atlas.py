@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss._arguments import arranged, numbers, refusal
 from stoss._documentation import documented
-from stoss.bodies._solid import relaxes
+from stoss.bodies._solid import is_rough, relaxes
 from stoss.bodies._bodies import Body, Disk, Sphere
 from stoss.bodies._encounter import Against, choose_against, choose_body
 from stoss.bodies._walls import UNBOUNDED, HalfPlane, HalfSpace, HardWall, Unbounded
@@ -87,8 +87,8 @@ def atlas(
         True
     """
     chosen = choose_body(body, poisson)
-    if not isinstance(chosen, (Sphere, Disk)) or chosen.loss_time != 0.0 or relaxes(chosen):
-        raise refusal("body", chosen, "a sphere or a disk without loss, loss_time=0, in the atlas (stoss.restitution computes it)")
+    if not isinstance(chosen, (Sphere, Disk)) or chosen.loss_time != 0.0 or relaxes(chosen) or is_rough(chosen):
+        raise refusal("body", chosen, "a smooth sphere or disk without loss, loss_time=0, in the atlas (use stoss.restitution)")
     met = choose_against(chosen, against, (HardWall,))
     which, ratio = _what(chosen, met)
     table = _tables()
@@ -116,6 +116,8 @@ def atlas(
 
 def _what(body: Sphere | Disk, met: Any) -> tuple[str, float]:
     """Which table, and the ratio of the radii."""
+    if is_rough(met):
+        raise refusal("against", met, "a smooth face in the atlas (use stoss.restitution)")
     if isinstance(met, HardWall):
         return "wall", 1.0
     alike = all(getattr(met, name) == getattr(body, name) for name in ("poisson", "young", "density"))

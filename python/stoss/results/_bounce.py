@@ -17,7 +17,7 @@ from stoss.bodies._bodies import Body, shown
 from stoss.bodies._encounter import Against, choose_against, choose_body, choose_cutoff, choose_tail, contact
 from stoss.bodies._solid import own_number
 from stoss.bodies._state import State, choose_state
-from stoss.bodies._walls import UNBOUNDED, ExponentialWall, HardWall
+from stoss.bodies._walls import UNBOUNDED
 from stoss.export._tables import span
 from stoss.results._progress import waiting
 from stoss.results._quantities import BounceQuantities
@@ -117,7 +117,7 @@ def bounce(
     given = {"flight_time": flight_time, "gravity": gravity, "decay_time": decay_time}
     own = {name: own_number(chosen, "bounce", name, each) for name, each in given.items() if each is not None}
     flight, weight, decay = map(own.get, given)
-    met = choose_against(chosen, against, (HardWall, ExponentialWall))
+    met = choose_against(chosen, against)
     slowest = _core.slowest_bounce(first) if isinstance(met, UNBOUNDED) else first
     at, times = choose_cutoff(cutoff, chosen, met, slowest, most=20.0), integer("count", count)
     answer, modes = choose_tail(tail), choose_state(state)

@@ -16,7 +16,7 @@ from stoss.bodies._bodies import Body, shown
 from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
 from stoss.bodies._solid import own_number
 from stoss.bodies._state import Oscillation, choose_state
-from stoss.bodies._walls import HardWall, Unbounded
+from stoss.bodies._walls import Unbounded, Wall
 from stoss.export._tables import span, with_error
 from stoss.results._progress import bar
 from stoss.results._quantities import SampleQuantities
@@ -119,7 +119,7 @@ def restitution_distribution(
     body: Body | None = None,
     *,
     speed: float,
-    against: HardWall | Body | Unbounded | str | None = None,
+    against: Wall | Body | Unbounded | str | None = None,
     poisson: float | None = None,
     temperature: float | None = None,
     spectrum: Spectrum | None = None,
@@ -157,7 +157,7 @@ def restitution_distribution(
     """
     chosen = choose_body(body, poisson, rigid=True)
     initial = own_number(chosen, "distribution", "speed", speed)
-    met = choose_against(chosen, against, (HardWall,))
+    met = choose_against(chosen, against)
     count, chance, threads = integer("samples", samples), integer("seed", seed), integer("threads", threads)
     limit = number("error", error)
     if chance < 0:

@@ -16,7 +16,7 @@ from stoss._documentation import documented
 from stoss.bodies._bodies import Body, shown
 from stoss.bodies._encounter import Against, choose_against, choose_body, encounter, refinable
 from stoss.bodies._solid import own_units
-from stoss.bodies._walls import HardWall, Unbounded
+from stoss.bodies._walls import Unbounded, Wall
 from stoss.export._files import write_lines
 from stoss.export._tables import brief_range
 from stoss.results._progress import waiting
@@ -171,7 +171,7 @@ def restitution_function(
     body: Body | None = None,
     *,
     speed: ArrayLike,
-    against: HardWall | Body | Unbounded | str | None = None,
+    against: Wall | Body | Unbounded | str | None = None,
     poisson: float | None = None,
     error: float = 1e-3,
     beyond: str = "error",
@@ -206,7 +206,7 @@ def restitution_function(
         True
     """
     chosen = choose_body(body, poisson, rigid=True)
-    met = choose_against(chosen, against, (HardWall,))
+    met = choose_against(chosen, against)
     ends = numbers("speed", speed)
     if ends.shape != (2,):
         raise refusal("speed", speed, "two numbers, the slowest and the fastest")

@@ -14,7 +14,7 @@ from stoss.bodies._bodies import Body
 from stoss.bodies._encounter import Against, choose_against, choose_body, choose_cutoff, choose_tail
 from stoss.bodies._solid import own_number
 from stoss.bodies._state import State
-from stoss.bodies._walls import ExponentialWall, HardWall
+from stoss.bodies._walls import WALLS
 from stoss.results import _replay, _sound
 from stoss.results._computed_impact import ComputedImpact
 from stoss.results._progress import waiting
@@ -66,8 +66,8 @@ def impact(
         cutoff: Highest frequency of the modes that are kept, c/R. Default: 50, or that up to which
             a `ModalBody` is known; less on a half-space or a plate, where there are many modes.
         keep (array_like of bool, optional): Which of the modes with ω ≤ `cutoff` are kept, in the
-            order of `Impact.mode_energies`; only with an `ExponentialWall`, because a hard contact
-            needs the compliance of the others. Default: all.
+            order of `Impact.mode_energies`; only with ``tail="none"``, because the others would
+            answer together too. Default: all.
 
     Examples:
         >>> hit = stoss.impact(poisson=0.33, speed=0.1)
@@ -76,12 +76,13 @@ def impact(
         >>> round(hit.translation + hit.vibration + hit.unresolved, 3)
         1.0
 
-        With a soft wall the modes may be chosen, for example those that a first run finds to be the
-        most energetic.
+        Where the others do not answer, at the paper's soft wall, the modes may be chosen, for example
+        those that a first run finds to be the most energetic.
 
         >>> soft = stoss.ExponentialWall(hardness=500)
-        >>> average = stoss.impact(poisson=0.33, speed=0.1, against=soft).mode_energies["average"]
-        >>> stoss.impact(poisson=0.33, speed=0.1, against=soft, keep=average >= np.sort(average)[-300]).modes
+        >>> average = stoss.impact(poisson=0.33, speed=0.1, against=soft, tail="none").mode_energies["average"]
+        >>> most = average >= np.sort(average)[-300]
+        >>> stoss.impact(poisson=0.33, speed=0.1, against=soft, tail="none", keep=most).modes
         300
 
         Two disks of unequal size, and which absorbs more.
@@ -103,15 +104,15 @@ def impact(
     """
     chosen = choose_body(body, poisson, rigid=True)
     initial = own_number(chosen, "impact", "speed", speed)
-    met = choose_against(chosen, against, (HardWall, ExponentialWall))
+    met = choose_against(chosen, against)
     at = choose_cutoff(cutoff, chosen, met, initial)
     count = None if nodes is None else integer("nodes", nodes)
     resolution = optional_number("step", step), count, optional_number("half_width", half_width)
     answer, kept = choose_tail(tail), None if keep is None else flags("keep", keep)
-    if kept is not None and not isinstance(met, ExponentialWall):
-        hint = "elsewhere the compliance of the other modes counts"
-        got = f"a selection of modes and {met!r}"
-        raise InvalidInput.out_of_range("keep", got, "only with a stoss.ExponentialWall", hint)
+    if kept is not None and (answer != "none" or not isinstance(met, WALLS)):
+        hint = "elsewhere the other modes answer together"
+        got = f"a selection of modes, {met!r} and tail={answer!r}"
+        raise InvalidInput.out_of_range("keep", got, "only at a wall with tail='none'", hint)
     with waiting(boolean("progress", progress), "impact"):
         result = Impact._made(chosen, met, initial, at, answer, resolution, kept, state)
     warn_of_materials(result, 2)

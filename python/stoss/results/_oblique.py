@@ -13,7 +13,7 @@ from stoss._arguments import arranged, boolean, integer, number
 from stoss.bodies._bodies import Body, shown
 from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
 from stoss.bodies._state import State, choose_state
-from stoss.bodies._walls import HardWall, Unbounded
+from stoss.bodies._walls import Unbounded, Wall
 from stoss.export._tables import span, with_error
 from stoss.results._restitution import empty_rows
 from stoss.results._obliquity import MOTION, Oblique, ObliqueLedger, choose_motion, explained
@@ -97,7 +97,7 @@ def oblique(
     friction: ArrayLike,
     spin: ArrayLike = 0.0,
     second_spin: ArrayLike = 0.0,
-    against: HardWall | Body | Unbounded | str | None = None,
+    against: Wall | Body | Unbounded | str | None = None,
     tolerance: float = 1e-2,
     state: State = None,
     threads: int = 0,
@@ -126,7 +126,7 @@ def oblique(
         array([ 0.371,  0.205, -0.598, -0.939])
     """
     chosen = choose_body(body, None, rigid=True)
-    met = choose_against(chosen, against, (HardWall,))
+    met = choose_against(chosen, against)
     cases, shape = choose_motion(
         chosen, 40, speed=speed, tangential=tangential, angle=angle, spin=spin, second_spin=second_spin, friction=friction
     )

@@ -14,7 +14,7 @@ from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body, shown
 from stoss.bodies._encounter import Against, choose_against, choose_body, choose_cutoff, contact
 from stoss.bodies._state import State, choose_state
-from stoss.bodies._walls import HardWall, Unbounded
+from stoss.bodies._walls import Unbounded, Wall
 from stoss.results._obliquity import MOTION, Oblique, ObliqueLedger, choose_motion, explained
 from stoss.results._progress import waiting
 from stoss.results._quantities import ObliqueImpactQuantities, ObliqueSnapshotQuantities
@@ -180,7 +180,7 @@ def oblique_impact(
     friction: float,
     spin: float = 0.0,
     second_spin: float = 0.0,
-    against: HardWall | Body | Unbounded | str | None = None,
+    against: Wall | Body | Unbounded | str | None = None,
     cutoff: float | None = None,
     step: float | None = None,
     nodes: int | None = None,
@@ -206,7 +206,7 @@ def oblique_impact(
         True
     """
     chosen = choose_body(body, None, rigid=True)
-    met = choose_against(chosen, against, (HardWall,))
+    met = choose_against(chosen, against)
     given: dict[str, Any] = {
         "speed": speed, "tangential": tangential, "angle": angle, "spin": spin, "second_spin": second_spin,
         "friction": friction,

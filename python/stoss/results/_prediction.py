@@ -73,6 +73,8 @@ class Prediction(PredictionQuantities, ArrayResult):
             it: the model of yield ends, m/s.
         sticking_speed, adhesion_speed (float): Bodies stick below the first, and adhesion takes more
             than a hundredth of the energy below the second, m/s.
+        rough_speed (float): Below it asperities count: u₀ is more than a hundredth of the compression, m/s. Of
+            faces without a roughness as if they had that of a bearing ball, 24 nm rms.
         work_of_adhesion (float or None): As it was given, J/m².
         uncertainties (mapping or None): As they were given.
     """
@@ -90,6 +92,7 @@ class Prediction(PredictionQuantities, ArrayResult):
     impression_speed: float | None
     sticking_speed: float
     adhesion_speed: float
+    rough_speed: float
     work_of_adhesion: float | None
     uncertainties: Mapping[str, float] | None
     tolerance: float
@@ -205,11 +208,12 @@ def predict(
     kinds: dict[str, Any] = dict.fromkeys(QUANTITIES["prediction"], np.float64)
     kinds |= dict.fromkeys(("dominant", "influences", "warnings"), object)
     columns = {CHANNELS.get(name, name): _column(rows, name, kind, speeds.shape) for name, kind in kinds.items()}
-    begins, ends, sticks, adheres = _core.thresholds(meeting, work)
+    begins, ends, sticks, adheres, rough = _core.thresholds(meeting, work)
     for said in dict.fromkeys(each for row in rows for each in row["warnings"]):
         warnings.warn(said, StossWarning, stacklevel=2)
     return Prediction(
         ball, met, **columns, yield_speed=begins, impression_speed=ends, sticking_speed=sticks, adhesion_speed=adheres,
+        rough_speed=rough,
         work_of_adhesion=work, uncertainties=known or None, tolerance=limit,
     )  # fmt: skip
 

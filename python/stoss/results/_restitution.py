@@ -16,7 +16,7 @@ from stoss.bodies._bodies import PARTNERS, Body, Disk, shown
 from stoss.bodies._encounter import Against, choose_against, choose_bodies, choose_body, refinable
 from stoss.bodies._solid import own_units
 from stoss.bodies._state import State, choose_state
-from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded
+from stoss.bodies._walls import UNBOUNDED, Unbounded, Wall
 from stoss.export._tables import span, with_error
 from stoss.results._function import RestitutionFunction, choose_beyond, function_of
 from stoss.results._progress import bar
@@ -38,7 +38,7 @@ class Restitution(RestitutionQuantities, ArrayResult, MayYield):
         body (Disk, Sphere, Rod, ModalBody or None): The first; all units are its own. None if there are
             several.
         bodies: All first bodies, each once.
-        against (HardWall, Disk, Sphere, Rod, ModalBody, HalfSpace, HalfPlane, Plate, Strip or 'same'):
+        against (HardWall, ExponentialWall, Disk, Sphere, Rod, ModalBody, HalfSpace, HalfPlane, Plate, Strip or 'same'):
             What it meets; 'same'
             for several Poisson's ratios, each meeting an identical disk.
         lost_to_first, lost_to_second: Vibration of each body after the impact and what its material
@@ -155,7 +155,7 @@ def restitution(
     body: Body | Sequence[Body] | NDArray[np.object_] | None = None,
     *,
     speed: ArrayLike,
-    against: HardWall | Body | Unbounded | str | None = None,
+    against: Wall | Body | Unbounded | str | None = None,
     poisson: ArrayLike | None = None,
     tolerance: float = 1e-3,
     absolute: float = 1e-6,
@@ -209,7 +209,7 @@ def restitution(
         nu = np.full((), getattr(bodies[0], "poisson", np.nan))
         poissons, speeds = broadcast(22, poisson=nu, speed=speeds)
         places = [np.arange(speeds.size)]
-    met = [choose_against(each, against, (HardWall,)) for each in bodies or [Disk(poisson=0.0)]]
+    met = [choose_against(each, against) for each in bodies or [Disk(poisson=0.0)]]
     limit, enough, count = number("tolerance", tolerance), number("absolute", absolute), integer("threads", threads)
     modes = choose_state(state)
     if bodies:

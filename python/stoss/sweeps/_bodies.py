@@ -15,7 +15,7 @@ from typing import Any, Iterator, Mapping
 from stoss._arguments import refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._modal import ModalBody
-from stoss.bodies._solid import KINDS, Solid, Specification, describe
+from stoss.bodies._solid import FACE, KINDS, Solid, Specification, describe, face_of
 from stoss.export._files import of_json, write_lines
 
 DIGEST = "sha256"
@@ -25,7 +25,7 @@ def reference(solid: Solid) -> Specification:
     """What describes it; a body of a file by its name and the hash of its document."""
     if not isinstance(solid, ModalBody):
         return describe(solid)
-    return _named(solid._kind, solid.name, _text(solid.to_dict()))
+    return {**_named(solid._kind, solid.name, _text(solid.to_dict())), **face_of(solid)}
 
 
 def without_documents(grid: Specification) -> tuple[Specification, dict[str, str]]:
@@ -38,7 +38,7 @@ def without_documents(grid: Specification) -> tuple[Specification, dict[str, str
         text = _text(given["body"])
         named = _named(given["kind"], given["body"].get("name", ""), text)
         documents[named[DIGEST]] = text
-        return named
+        return {**named, **_face(given)}
 
     bodies = {name: [short(each) for each in grid[name]] for name in ("bodies", "against")}
     return {**grid, **bodies}, documents
@@ -60,7 +60,12 @@ def resolved(given: Any, store: Path) -> Any:
     """
     if not isinstance(given, Mapping) or DIGEST not in given:
         return given
-    return {"kind": given.get("kind"), "body": _read(str(store), given[DIGEST])}
+    return {"kind": given.get("kind"), "body": _read(str(store), given[DIGEST]), **_face(given)}
+
+
+def _face(given: Mapping[str, Any]) -> Specification:
+    """How rough its face is, which is not of the file."""
+    return {name: given[name] for name in FACE if name in given}
 
 
 def keep(documents: Mapping[str, str], store: Path) -> None:

@@ -20,6 +20,7 @@ from stoss.bodies._state import choose_state
 from stoss.results._obliquity import choose_motion
 from stoss.results._quantities import QUANTITIES
 from stoss.sweeps._bodies import reference
+from stoss.sweeps._specification import of_wall
 
 Point = Sequence[float]
 Accuracy = Mapping[str, Union[float, int]]
@@ -239,7 +240,7 @@ def _yield_warning(cases: Sequence[Case], fastest: float) -> str:
 
 def case_of(place: tuple[int, int], body: Body, against: Against, accuracy: Accuracy) -> Case:
     """A case with all inputs but the point, and their hash; a body of a file by the hash of its document."""
-    met = reference(against) if isinstance(against, Solid) else {"kind": "wall"}
+    met = reference(against) if isinstance(against, Solid) else of_wall(against)
     inputs: Specification = {"body": reference(body), "against": met, **accuracy}
     text = json.dumps(inputs, sort_keys=True)
     return Case(place, body, against, inputs, hashlib.sha256(text.encode()).hexdigest()[:16])

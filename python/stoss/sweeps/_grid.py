@@ -17,7 +17,7 @@ from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body
 from stoss.bodies._encounter import choose_against, choose_body, refinable
 from stoss.bodies._solid import KINDS, Specification, describe
-from stoss.bodies._walls import HardWall, Unbounded
+from stoss.bodies._walls import Unbounded, Wall
 from stoss.export import _files
 from stoss.sweeps._computation import Case, Computation, case_of, choose_computation
 from stoss.sweeps._specification import Choices, beside, choices, expanded, make, with_folder
@@ -25,7 +25,7 @@ from stoss.sweeps._specification import Choices, beside, choices, expanded, make
 MOST_CASES = 100_000  # bodies times partners
 MOST_VALUES = 1_000_000
 
-Given = Union[Body, Unbounded, HardWall, str, Mapping[str, Any]]
+Given = Union[Body, Unbounded, Wall, str, Mapping[str, Any]]
 
 
 class Grid:
@@ -190,7 +190,7 @@ class Grid:
         accuracy = self.computation.accuracy
         of_files = [make("against", each) if _of_file(each) else None for each in self.against]
         for (i, body), (j, partner) in itertools.product(enumerate(self.bodies), enumerate(self.against)):
-            against = choose_against(body, of_files[j] or beside(partner, body), (HardWall,))
+            against = choose_against(body, of_files[j] or beside(partner, body))
             yield case_of((i, j), body, against, accuracy)
 
     def _check(self) -> None:

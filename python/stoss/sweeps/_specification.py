@@ -17,13 +17,13 @@ from stoss._errors import InvalidInput
 from stoss.bodies._bodies import PARTNERS, Body
 from stoss.bodies._material import Material, materials
 from stoss.bodies._modal import ModalBody
-from stoss.bodies._walls import HardWall, Layer
-from stoss.bodies._solid import KINDS, Solid, Specification, describe
+from stoss.bodies._walls import WALLS as MADE_WALLS, ExponentialWall, HardWall, Layer
+from stoss.bodies._solid import FACE, KINDS, SMOOTH, Solid, Specification, describe
 from stoss.export._files import of_json
 
 SOLIDS: tuple[type[Solid], ...] = PARTNERS
 CLASSES: Mapping[str, Any] = {name: made for name in KINDS for made in SOLIDS if made._kind == name}
-WALLS = ("wall", "same")
+WALLS: Mapping[str, Any] = {"wall": HardWall, "exponential": ExponentialWall, "same": None}
 
 Choices = list[list[tuple[str, Any]]]
 """Of each key of a mapping all values that it is to have."""
@@ -73,12 +73,14 @@ def _of_material(words: Specification) -> Specification:
 
 def _of_file(name: str, words: Specification) -> ModalBody:
     """A body by its file, by its document, or as it is."""
-    if set(words) == {"file"} and isinstance(words["file"], (str, os.PathLike)):
-        return ModalBody.read(words["file"])
-    if set(words) != {"body"}:
+    face = {key: each for key, each in words.items() if key in FACE}
+    left = set(words) - set(face)
+    if left == {"file"} and isinstance(words["file"], (str, os.PathLike)):
+        return ModalBody.read(words["file"]).with_face(**face)
+    if left != {"body"}:
         raise refusal(name, sorted(words), "kind and file, the name of a body's file, or kind and body, its document")
     given = words["body"]
-    return given if isinstance(given, ModalBody) else ModalBody.from_dict(given)
+    return (given if isinstance(given, ModalBody) else ModalBody.from_dict(given)).with_face(**face)
 
 
 def with_folder(given: Any, folder: str) -> Any:
@@ -99,10 +101,10 @@ def _listed(given: Any) -> list[Any]:
 def beside(given: Specification, body: Body) -> Any:
     """What a mapping describes where it meets this body: what it leaves out is the body's."""
     kind = given["kind"]
-    if kind == "wall":
-        return HardWall()
     if kind == "same":
         return body
+    if kind in WALLS:
+        return WALLS[kind](**{name: value for name, value in given.items() if name != "kind"})
     words = dict(given)
     if kind in ("disk", "sphere") and "material" not in words and "poisson" in vars(body):
         words.setdefault("poisson", body.poisson)
@@ -113,27 +115,26 @@ def beside(given: Specification, body: Body) -> Any:
 
 def choices(name: str, given: Any) -> Choices:
     """What the lists and series in a mapping leave to choose; of an object or a word nothing."""
-    if not isinstance(given, Mapping) or _is_wall(name, given):
+    if not isinstance(given, Mapping):
         return []
     return [[(key, each) for each in _choices(f"{name}: {_shown(key)}", key, value)] for key, value in given.items()]
 
 
 def expanded(name: str, given: Any, left: Choices) -> Iterator[Specification]:
     """The mappings of an object, a word, or a mapping for which all combinations of its choices are left."""
-    if isinstance(given, HardWall):
-        given = "wall"
+    if isinstance(given, MADE_WALLS):
+        yield of_wall(given)
+        return
     if name == "against" and isinstance(given, str) and given in WALLS:
         yield {"kind": given}
     elif isinstance(given, PARTNERS):
         yield describe(given)
     elif isinstance(given, Mapping):
-        if _is_wall(name, given):
-            if len(given) > 1:
-                raise refusal(name, next(each for each in given if each != "kind"), f"nothing besides {given['kind']}")
-            yield dict(given)
-            return
         for chosen in itertools.product(*left):
             one = dict(chosen)
+            if _is_wall(name, one):
+                yield _wall(name, one)
+                continue
             made = make(name, {"poisson": 0.0, **one} if name == "against" and _borrows(one) else one)
             its, complete = describe(made), name != "against" or KINDS[made._kind].from_file
             # What a partner leaves out stays open until it is known whom it meets.
@@ -141,6 +142,23 @@ def expanded(name: str, given: Any, left: Choices) -> Iterator[Specification]:
     else:
         walls = "'wall', 'same', " if name == "against" else ""
         raise refusal(name, given, f"{walls}a body, or a mapping with its kind")
+
+
+def of_wall(wall: Any) -> Specification:
+    """A wall in plain types."""
+    its = wall._document()
+    return {"kind": its} if isinstance(its, str) else its
+
+
+def _wall(name: str, words: Specification) -> Specification:
+    """A wall by its numbers, in range."""
+    known = [each.name for each in KINDS[words["kind"]].parameters]
+    for other in words:
+        if other not in ("kind", *known):
+            raise refusal(name, other, f"nothing besides {words['kind']}" + "".join(f", {each}" for each in known))
+    if words["kind"] != "same":
+        WALLS[words["kind"]](**{key: value for key, value in words.items() if key != "kind"})
+    return words
 
 
 def _shown(key: Any) -> str:
@@ -187,7 +205,7 @@ def label(words: Specification) -> str:
     if KINDS[words["kind"]].from_file:
         return f"{words['kind']},{words['body'].get('name', '')}"
     usual = {each.name: each.otherwise for each in KINDS[words["kind"]].parameters}
-    usual = {"loss_time": 0.0} if "material" in words else usual
+    usual = {"loss_time": 0.0, **SMOOTH} if "material" in words else usual
     numbers = {name: value for name, value in words.items() if name != "kind" and usual.get(name) != value}
     layers = [_label(each) for each in numbers.pop("layers", [])]
     return "/".join([",".join(filter(None, (words["kind"], _label(numbers), *layers[:1]))), *layers[1:]])

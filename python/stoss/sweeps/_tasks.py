@@ -19,7 +19,6 @@ from stoss import _core
 from stoss._errors import InvalidInput
 from stoss.bodies._encounter import choose_against, refinable
 from stoss.bodies._solid import Specification
-from stoss.bodies._walls import HardWall
 from stoss.export._tables import cell, known
 from stoss.sweeps import _store
 from stoss.sweeps._bodies import resolved
@@ -225,7 +224,7 @@ def fill(
 def _fill(worker: Worker, computation: Computation, path: Path, piece: Piece, threads: int, tick: Tick | None) -> int:
     inputs, key, points = piece
     body = make("body", resolved(inputs["body"], path))
-    against = choose_against(body, beside(resolved(inputs["against"], path), body), (HardWall,))
+    against = choose_against(body, beside(resolved(inputs["against"], path), body))
     if case_of((0, 0), body, against, computation.accuracy).key != key:
         raise InvalidInput.out_of_range(
             "grid", f"another case {key} of a worker", "the same", "all must have the same stoss"

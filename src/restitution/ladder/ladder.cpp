@@ -34,7 +34,8 @@ constexpr int lowest_of_a_point = -40;
 }  // namespace
 
 struct RefinableContact::Ladder {
-  BodyMaker body;            // at a wall
+  BodyMaker body;
+  Wall wall;                 // that it meets
   std::optional<Pair> pair;  // or two
   double unit = 1.0;         // of the cutoffs
   int highest = level_count - 1;
@@ -42,9 +43,13 @@ struct RefinableContact::Ladder {
   std::map<std::pair<double, double>, Contact> contacts;  // by cutoff and stretch
 };
 
-RefinableContact::RefinableContact(BodyMaker body) : ladder_(std::make_shared<Ladder>()) {
+RefinableContact::RefinableContact(BodyMaker body) : RefinableContact(std::move(body), HardWall{}) {}
+
+RefinableContact::RefinableContact(BodyMaker body, const Wall& wall) : ladder_(std::make_shared<Ladder>()) {
   if (!body) refuse_missing_body();
+  validate(wall);
   ladder_->body = std::move(body);
+  ladder_->wall = wall;
 }
 
 RefinableContact::RefinableContact(BodyMaker first, const BodyMaker& second) : ladder_(std::make_shared<Ladder>()) {
@@ -149,8 +154,8 @@ const Contact& RefinableContact::at(double cutoff, double stretch, const Poll& p
   const std::pair key(cutoff, stretch);
   const auto known = ladder_->contacts.find(key);
   if (known != ladder_->contacts.end()) return known->second;
-  Contact contact =
-      ladder_->pair ? pair_contact(*ladder_->pair, cutoff, stretch, poll) : stoss::contact(ladder_->body(cutoff, poll));
+  Contact contact = ladder_->pair ? pair_contact(*ladder_->pair, cutoff, stretch, poll)
+                                  : stoss::contact(ladder_->body(cutoff, poll), ladder_->wall);
   return ladder_->contacts.emplace(key, std::move(contact)).first->second;
 }
 

@@ -12,11 +12,11 @@ BODY_FILES = sorted(Path(__file__).parents[3].glob("examples/any_body/*_30.json"
 OPTIONS = {
     "restitution": {"tolerance": (1e-9, 0.5), "absolute": (1e-9, 0.5)},
     "oblique": {"tolerance": (1e-4, 0.5), "spin": (1e-4, 0.3), "second-spin": (1e-4, 0.3), "kinematics": ("linear",)},
-    "impact": {"cutoff": (0.1, 300), "step": (1e-5, 1), "nodes": (16, 4096), "tail": ("radiating", "static")},
+    "impact": {"cutoff": (0.1, 300), "step": (1e-5, 1), "nodes": (16, 4096), "tail": ("radiating", "static", "none")},
     "predict": {"tolerance": (1e-6, 0.5), "adhesion": (1e-3, 10), "uncertainty": ("young=0.1", "yield_strength=1")},
     "table": {"error": (1e-5, 0.1), "tolerance": (1e-3, 0.5), "friction": (1e-3, 5), "adhesion": (1e-3, 10),
               "format": ("c", "two-column", "json"), "beyond": ("clamp", "error"), "name": ("a", "a b")},
-    "bounce": {"count": (1, 1e4), "decay-time": (1, 1e4), "tail": ("radiating", "static"), "cutoff": (0.1, 300)},
+    "bounce": {"count": (1, 1e4), "decay-time": (1, 1e4), "tail": ("radiating", "static", "none"), "cutoff": (0.1, 300)},
     "distribution": {"samples": (1, 1e5), "error": (1e-7, 0.5), "highest": (1, 300), "seed": (1, 1e9)},
     "quasistatic": {"cutoff": (1, 2000), "law": ("center", "diameter", "hertz")},
     "modes": {"cutoff": (1, 2000)},
@@ -27,6 +27,7 @@ TAKES_MATERIAL = ("predict",)
 # Bodies and partners that some commands take; all others are drawn too, at times.
 MOSTLY = {"predict": ["sphere"], "modes": ["disk", "sphere"], "quasistatic": ["disk", "sphere"]}
 FIXED = ["wall", "half-space", "half-plane", "plate", "strip"]
+SELDOM = ("loss_time", "roughness", "u0")
 LIKELY = {"Pa": (1e5, 1e12), "m": (1e-4, 1), "kg/m^3": (100, 2e4), "m^2": (1e-6, 1), "s": (1e-12, 1e-5)}
 
 
@@ -89,11 +90,12 @@ class Drawer:
             elif "enum" in what and si and rnd.random() < 0.2:
                 body[name] = rnd.choice(what["enum"])
             elif what.get("type") == "number":
-                needed = "default" not in what or (si and name != "loss_time")
+                needed = "default" not in what or (si and name not in SELDOM)
                 if unit and what.get("default") == 1.0:
                     continue
-                if needed or rnd.random() < (0.1 if name == "loss_time" else 0.3):
-                    body[name] = _number(rnd, what, si)
+                if needed or rnd.random() < (0.1 if name in SELDOM else 0.3):
+                    face = name in ("roughness", "u0")
+                    body[name] = _logarithmic(rnd, *((1e-9, 1e-5) if si else (1e-6, 0.5))) if face else _number(rnd, what, si)
         if "loss_time" in properties and not {"loss_time", "quality"} & set(body) and rnd.random() < 0.1:
             body["relaxation"] = rnd.choice(("0.5:1", "0.3:1e-5+0.2:1e-3", "0.9:0.1", "0.6:1+0.6:2"))
         return body
@@ -112,7 +114,7 @@ def _logarithmic(rnd, low, high):
 
 def _as_options(body, command):
     for name, value in body.items():
-        if command in ("modes", "quasistatic") and name in ("loss_time", "quality", "relaxation", "rigid"):
+        if command in ("modes", "quasistatic") and name in ("loss_time", "quality", "relaxation", "rigid", "roughness", "u0"):
             continue
         if value is True:
             yield "--rigid-body"

@@ -17,7 +17,9 @@ CLASSES = {"disk": stoss.Disk, "sphere": stoss.Sphere, "rod": stoss.Rod, "half-s
            "half-plane": stoss.HalfPlane, "plate": stoss.Plate, "strip": stoss.Strip,
            "exponential": stoss.ExponentialWall}  # fmt: skip
 PLATES = ("plate", "strip")
-WORDS = {"wall", "same"}  # which have no numbers
+WALLS = {"wall": stoss.HardWall}
+WORDS = {"same"}  # which have no numbers
+FACE = ("roughness", "u0")  # which are limited by the first body
 FILES = {"modal": stoss.ModalBody}  # which are given by documents of their own (test_modal.py)
 KINDS = {
     name: {"wall": wall, "bounded": bounded, "rigid": rigid, "plane": plane, "file": file, "numbers": numbers}
@@ -34,8 +36,9 @@ def made(kind, **given):
 
 
 def test_there_is_a_class_for_every_kind():
-    assert set(KINDS) == set(CLASSES) | WORDS | set(FILES)
-    assert all(not KINDS[word]["numbers"] for word in WORDS | set(FILES))
+    assert set(KINDS) == set(CLASSES) | set(WALLS) | WORDS | set(FILES)
+    assert all(not KINDS[word]["numbers"] for word in WORDS)
+    assert all(tuple(name for name, *_ in KINDS[kind]["numbers"]) == FACE for kind in [*WALLS, *FILES])
     assert {name for name, its in KINDS.items() if its["file"]} == set(FILES)
     assert all(made._kind == name for name, made in FILES.items())
 
@@ -80,6 +83,7 @@ def test_a_material_makes_what_the_core_says(kind):
 
 @pytest.mark.parametrize("kind, name, unit, otherwise, low, high, low_included, of_material", NUMBERS)
 def test_ranges_are_those_of_the_core(kind, name, unit, otherwise, low, high, low_included, of_material):
+    high = math.inf if name in FACE else high
     below = math.nextafter(low, -math.inf) if low_included else low
     for value in (below, math.nan, *((math.nextafter(high, math.inf),) if math.isfinite(high) else (math.inf,))):
         with pytest.raises(stoss.InvalidInput, match=f"^{name}: got "):
@@ -98,7 +102,7 @@ def test_an_encounter_is_the_document_of_the_core(kind):
         return
     body = made(kind, young=2.5, density=1.5)
     document = json.loads(stoss.bodies._encounter.encounter(body, body).to_json())
-    numbers = {name: getattr(body, name) for name, *_ in KINDS[kind]["numbers"]}
+    numbers = {name: getattr(body, name) for name, *_ in KINDS[kind]["numbers"] if name not in FACE}
     assert document.pop("format").startswith("stoss encounter ")
     assert document == {"first": {"kind": kind, **numbers}, "against": {"kind": kind, **numbers}}
 
@@ -113,7 +117,7 @@ IN_SI = [stoss.Sphere(radius=5e-3, material=RUBBER), stoss.Disk(radius=5e-3, mat
          stoss.Strip(thickness=0.01, material=RUBBER)]  # fmt: skip
 VALUES = [
     *(made(kind) for kind in CLASSES), *(made(kind, **{KINDS[kind]["numbers"][0][0]: 0.4}) for kind in ("disk", "sphere", "plate")),
-    stoss.HardWall(), stoss.ExponentialWall(hardness=9), stoss.Rod(area=2, loss_time=2), stoss.HalfSpace(young=2, loss_time=0.1),
+    stoss.HardWall(), stoss.HardWall(u0=0.1), stoss.HalfSpace(roughness=0.1), stoss.ExponentialWall(hardness=9), stoss.Rod(area=2, loss_time=2), stoss.HalfSpace(young=2, loss_time=0.1),
     stoss.Disk(poisson=0.3, rigid=True), stoss.Sphere(radius=5e-3, material=RUBBER, rigid=True), RUBBER, GLASS, PANE, LAMINATED, COATED,
     *IN_SI,
 ]  # fmt: skip

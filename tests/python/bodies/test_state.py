@@ -70,7 +70,7 @@ def test_picture_of_what_was_given_and_taken(ringing, closed):
 
 
 SOFT = stoss.ExponentialWall(hardness=100)
-COMMON = {"poisson": 0.33, "speed": 0.1, "cutoff": 12, "against": SOFT}
+COMMON = {"poisson": 0.33, "speed": 0.1, "cutoff": 12, "against": SOFT, "tail": "none"}
 
 
 @pytest.fixture(scope="module")

@@ -75,7 +75,7 @@ for name in quasistatic.__all__:
 # Out of the ranges that no table has, by the name of the argument, and of the call where it means something else.
 RANGES = {
     "poisson": [-1, 1, [0.3, nan]], "cutoff": [0, -1, 1001], "threads": [-1, 1025, 2**31 - 1], "step": [0, -1, 1],
-    "nodes": [0, -1, 15, 5000], "half_width": [0, -1, 3.2], "hardness": [0.9, 1.1e6], "strength": [0, -1],
+    "nodes": [0, -1, 15, 5000], "half_width": [0, -1, 3.2], "hardness": [0.9, 1.1e8], "strength": [0, -1],
     "young": [0, -1], "density": [0, -1], "yield_strength": [-1], "loss_time": [-1], "surface_energy": [-0.1, 2e6],
     "quality": [1, -10, (0, 1), (10, nan)], "relaxation": [[(0.7, 1), (0.6, 1)], [0.5], 1, [(0.5, -1)]], "every": [0, -1], ("field", "time"): [1.1e4, [1, -inf]], "time": [1.1e4],
     ("measurement", "frequency"): [[1, 1, 2], [-1, 1, 2]], ("material", "frequency"): [0, -1],

@@ -88,7 +88,7 @@ def test_not_converged_carries_the_best_value():
     assert isinstance(best, stoss.Restitution) and not best.converged and best.reason in str(caught.value)
     assert best.restitution == pytest.approx(1, abs=1e-2) and "not converged" in repr(best) and len(repr(best)) <= 160
     with pytest.raises(stoss.NotConverged, match="impact: would take more than") as caught:
-        stoss.impact(poisson=0.33, speed=0.1, cutoff=6, against=stoss.ExponentialWall(hardness=1e6))
+        stoss.impact(poisson=0.33, speed=0.1, cutoff=6, against=stoss.ExponentialWall(hardness=1e6), tail="none")
     assert caught.value.best is None
 
 

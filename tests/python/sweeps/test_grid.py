@@ -51,7 +51,7 @@ def test_accuracies_are_refused_by_name(name, value):
          'bodies: got "colour"'),
         ({"bodies": {"kind": "sphere", "poisson": np.nan}}, "bodies: got {"), ({"bodies": {"kind": "cube"}},
          "bodies: kind: got 'cube'"),
-        ({"against": stoss.ExponentialWall()}, "against: got ExponentialWa"), ({"against": stoss.HalfPlane()},
+        ({"against": {"kind": "exponential", "hardness": 0}}, "hardness: got 0"), ({"against": stoss.HalfPlane()},
          "against: got HalfPlane"),
         ({"against": {"kind": "wall", "radius": 2}}, "against: got 'radius'"), ({"speed": "log:0:1:3"},
          "speed: got 'log:0:1:3'"),
