@@ -89,8 +89,9 @@ void BodyOptions::add_dynamics_to(CLI::App& command) {
              "relaxation (default: instantaneous)",
              "WHICH", "Body");
   add(command, "--roughness", numbers_["roughness"],
-      "rms height of the elastic asperities of its face, whose length u0 is\n0.45 of it (+- 0.05; default: 0, smooth); "
-      "in R, with a material in m",
+      "rms height of the elastic asperities of its face, in R, with a material\nin m (default: 0, smooth): their "
+      "length "
+      "u0 is 0.45 of it (+- 0.05)",
       "RMS", "Body");
   add(command, "--u0", numbers_["u0"], "In place of it: their length, as in pressure = p0 exp(-gap/u0)", "U0", "Body");
 }

@@ -49,12 +49,12 @@ constexpr Parameter roughness{"roughness",
                               1.0 / asperities_over_rms,
                               true,
                               false,
-                              "rms height of the asperities of its face, of which u0 is 0.45 (+- 0.05); 0: smooth"};
+                              "rms height of the asperities of its face (0: smooth), of which u0 is 0.45 (+- 0.05)"};
 constexpr Parameter u0{
     "u0",  "m",
     0.0,   0.0,
     1.0,   true,
-    false, "length u0 of its elastic asperities, pressure = p0 exp(-gap/u0), in place of a roughness; 0: smooth"};
+    false, "length u0 of its elastic asperities (0: smooth), pressure = p0 exp(-gap/u0), in place of a roughness"};
 constexpr Parameter hardness{"hardness", "", 500.0, 1.0, 1e8, true, false, "alpha R = R/u0 of the wall"};
 constexpr Parameter strength{"strength", "", 1.0, 1e-100, 1e100, true, false, "V0; it only shifts the wall"};
 

@@ -217,8 +217,7 @@ using BodyMaker = std::function<Body(double cutoff, const Poll& poll)>;
 
 /// The same body with a rough face, whose asperities deform elastically: their pressure is p₀ e^{−g/u₀} at the mean gap
 /// g (B. N. J. Persson, Phys. Rev. Lett. 99, 125502 (2007)). Of two faces u₀² = u₁² + u₂². What p₀ is does not matter.
-/// @param asperities u₀, 0 to 1000 in its R, of which an impact of bodies alike in size takes 1; some 0.45 of the rms
-///                   height (stoss/encounter/roughness.hpp)
+/// @param asperities u₀, 0 to 1000 in its R, some 0.45 of their rms height (stoss/encounter/roughness.hpp)
 [[nodiscard]] Body rough(const Body& body, double asperities);
 
 /// Makes such a body at any cutoff; of 0 the body itself.
