@@ -94,6 +94,14 @@ void BodyOptions::add_dynamics_to(CLI::App& command) {
       "u0 is 0.45 of it (+- 0.05)",
       "RMS", "Body");
   add(command, "--u0", numbers_["u0"], "In place of it: their length, as in pressure = p0 exp(-gap/u0)", "U0", "Body");
+  add(command, "--coat", numbers_["coat"],
+      "Thickness of a soft layer on its face, thin beside the contact\n(default: 0, none); in R, with a material in m",
+      "H", "Body");
+  add(command, "--coat-young", numbers_["coat_young"],
+      "Young's modulus of the coat, in that of the body, with a material in Pa", "E", "Body");
+  add(command, "--coat-poisson", numbers_["coat_poisson"], "Poisson's ratio of the coat (default: 0.3)", "NU", "Body");
+  add(command, "--coat-quality", numbers_["coat_quality"],
+      "Quality Q of the coat, the same at all frequencies (default: no loss)", "Q", "Body");
 }
 
 void BodyOptions::add_material_to(CLI::App& command, bool yield) {
@@ -102,11 +110,11 @@ void BodyOptions::add_material_to(CLI::App& command, bool yield) {
       "A material of the list in place of --young, --density, --poisson:\nbearing steel, glass, ice, ... (stoss "
       "materials)",
       "NAME", group);
-  std::vector<std::string> added{"poisson", "loss_time", "quality", "roughness", "u0"};
+  std::vector<std::string> added{"poisson"};
   for (const std::string& owner : kinds_) {
     for (const Parameter& each : kind(owner).parameters) {
       const std::string name(each.name);
-      if (std::find(added.begin(), added.end(), name) != added.end()) continue;
+      if (is_of_whole(name) || std::find(added.begin(), added.end(), name) != added.end()) continue;
       added.push_back(name);
       const std::string more = name == "young" ? "; makes speeds m/s and adds SI values" : "";
       add(command, "--" + name, numbers_[name], fmt::format("{} in {}{}", each.help, each.unit, more), upper(each.unit),

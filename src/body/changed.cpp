@@ -28,13 +28,6 @@ void change_results(std::function<std::vector<Body>(Given...)>& make, const Chan
   };
 }
 
-/// R/E, as coats have it.
-double unit_of_coats(const Body& body) {
-  const BodyScale& its = body.scale;
-  const double area = body.contour == Contour::ball ? its.length * its.length : its.length;
-  return area * its.length * its.length * body.mass / (its.mass * its.speed * its.speed);
-}
-
 double unit_of_time(const BodyScale& scale) { return scale.length / scale.speed; }
 
 void require_asperities(double asperities) {
@@ -42,6 +35,12 @@ void require_asperities(double asperities) {
 }
 
 }  // namespace
+
+double unit_of_coats(const Body& body) {
+  const BodyScale& its = body.scale;
+  const double area = body.contour == Contour::ball ? its.length * its.length : its.length;
+  return area * its.length * its.length * body.mass / (its.mass * its.speed * its.speed);
+}
 
 Body changed(Body body, const Change& change) {
   change_results(body.near_side, change);

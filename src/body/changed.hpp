@@ -10,4 +10,7 @@ namespace stoss {
 /// @param change of any of them, which may have units of its own
 [[nodiscard]] Body changed(Body body, const std::function<Body(const Body&)>& change);
 
+/// R/E of a body in units that all bodies have in common, as coats have it.
+[[nodiscard]] double unit_of_coats(const Body& body);
+
 }  // namespace stoss

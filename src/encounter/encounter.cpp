@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "check.hpp"
+#include "encounter/coat.hpp"
 #include "encounter/participant.hpp"
 #include "stoss/encounter/inputs.hpp"
 #include "stoss/encounter/roughness.hpp"
@@ -78,8 +79,8 @@ BodyMaker made(const Encounter& encounter, const Participant& of, const Solid& s
   const bool in_own = encounter.first.material && !is_rod(encounter);
   const double unit = in_own ? first_values(encounter).at("radius") : 1.0;
   return with_given_loss_time(of, [&] {
-    BodyMaker smooth = of.rigid ? rigid(maker(solid)) : maker(solid, relaxation_of(encounter, of, solid));
-    return with_asperities(smooth, asperities_of(of) / unit);
+    BodyMaker bare = of.rigid ? rigid(maker(solid)) : maker(solid, relaxation_of(encounter, of, solid));
+    return with_asperities(coated_in_units_of_first(bare, coat_of(encounter, of)), asperities_of(of) / unit);
   });
 }
 

@@ -55,6 +55,19 @@ constexpr Parameter u0{
     0.0,   0.0,
     1.0,   true,
     false, "length u0 of its elastic asperities (0: smooth), pressure = p0 exp(-gap/u0), in place of a roughness"};
+constexpr Parameter coat{
+    "coat", "m", 0.0, 0.0, 1.0, true, false, "thickness of a soft layer on its face, thin beside the contact; 0: none"};
+constexpr Parameter coat_young{"coat_young", "Pa", 0.0, 0.0, infinity, true, false, "Young's modulus of the coat"};
+constexpr Parameter coat_poisson{"coat_poisson",   "",   0.3,   lowest,
+                                 highest_of_solid, true, false, "Poisson's ratio of the coat"};
+constexpr Parameter coat_quality{"coat_quality",
+                                 "",
+                                 0.0,
+                                 0.0,
+                                 1e9,
+                                 true,
+                                 false,
+                                 "quality Q of the coat, whose modulus is then that at once; 0: no loss"};
 constexpr Parameter hardness{"hardness", "", 500.0, 1.0, 1e8, true, false, "alpha R = R/u0 of the wall"};
 constexpr Parameter strength{"strength", "", 1.0, 1e-100, 1e100, true, false, "V0; it only shifts the wall"};
 
@@ -94,7 +107,7 @@ std::vector<Kind> make_kinds() {
             .contour = Contour::cylinder,
             .own = UnitSystem::disk,
             .si = UnitSystem::disk_si,
-            .parameters = {plane_poisson_number, radius, young, density, loss_time, quality, roughness, u0},
+            .parameters = {plane_poisson_number, radius, young, density, loss_time, quality},
             .solid = round<Disk>};
   Kind sphere = disk;
   sphere.name = "sphere", sphere.plural = "spheres", sphere.help = "an elastic sphere";
@@ -105,33 +118,36 @@ std::vector<Kind> make_kinds() {
   rod.name = "rod", rod.plural = "rods", rod.help = "a thin elastic rod that meets with one end";
   rod.can_be_rigid = rod.can_yield = false, rod.contour = Contour::flat;
   rod.own = UnitSystem::rod, rod.si = UnitSystem::rod_si;
-  rod.parameters = {length, young, density, area, loss_time, quality, roughness, u0}, rod.solid = rod_of;
+  rod.parameters = {length, young, density, area, loss_time, quality}, rod.solid = rod_of;
   Kind modal = sphere;
   modal.name = "modal", modal.plural = "modal bodies";
   modal.help = "any body by its modes at a point, from a file";
   modal.can_be_rigid = modal.can_yield = false;
-  modal.parameters = {roughness, u0}, modal.solid = {}, modal.from_file = true;
+  modal.parameters = {}, modal.solid = {}, modal.from_file = true;
   Kind half_space = sphere;
   half_space.name = "half-space", half_space.plural = "half-spaces";
   half_space.help = "a large block for spheres, whose waves do not return";
   half_space.bounded = half_space.can_be_rigid = false;
-  half_space.parameters = {solid_poisson_number, young, density, loss_time, quality, roughness, u0};
+  half_space.parameters = {solid_poisson_number, young, density, loss_time, quality};
   half_space.solid = unbounded<HalfSpace>;
   Kind half_plane = disk;
   half_plane.name = "half-plane", half_plane.plural = "half-planes", half_plane.help = "elastic half-plane, for disks";
   half_plane.bounded = half_plane.can_be_rigid = false;
-  half_plane.parameters = {plane_poisson_number, young, density, loss_time, quality, roughness, u0};
+  half_plane.parameters = {plane_poisson_number, young, density, loss_time, quality};
   half_plane.solid = unbounded<HalfPlane>;
   Kind plate = half_space;
   plate.name = "plate", plate.plural = "plates";
   plate.help = "an elastic plate for spheres, free on both faces";
-  plate.parameters = {thickness, solid_poisson_number, young, density, loss_time, quality, roughness, u0};
+  plate.parameters = {thickness, solid_poisson_number, young, density, loss_time, quality};
   plate.solid = flat<Plate>;
   plate.add_layer = add_layer;
   Kind strip = half_plane;
   strip.name = "strip", strip.plural = "strips", strip.help = "elastic strip of finite thickness, for disks";
-  strip.parameters = {thickness, plane_poisson_number, young, density, loss_time, quality, roughness, u0};
+  strip.parameters = {thickness, plane_poisson_number, young, density, loss_time, quality};
   strip.solid = flat<Strip>;
+  for (Kind* each : {&disk, &sphere, &rod, &modal, &half_space, &half_plane, &plate, &strip}) {
+    each->parameters.insert(each->parameters.end(), {roughness, u0, coat, coat_young, coat_poisson, coat_quality});
+  }
   Kind wall = half_space;
   wall.name = "wall", wall.plural = "walls", wall.help = "a rigid wall";
   wall.wall = true, wall.can_yield = false, wall.parameters = {roughness, u0}, wall.solid = {};

@@ -23,8 +23,9 @@ double size_of_first(const Encounter& encounter) {
 void require_of_size(const Participant& of, double size) {
   for (const Parameter& each : kind(of.kind).parameters) {
     if (!is_of_face(each.name)) continue;
-    const double most = each.high * size;
-    require(each.name, given_or(of, each.name, 0.0), {0.0, most, true, true, "0 to " + shown_most(most)}, each.help);
+    const double most = each.high * (each.unit == "m" ? size : 1.0);
+    require(each.name, given_or(of, each.name, each.default_value.value_or(0.0)),
+            {each.low, most, true, true, shown(each.low) + " to " + shown_most(most)}, each.help);
   }
 }
 

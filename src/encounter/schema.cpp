@@ -25,10 +25,11 @@ Json number_of(const Parameter& its) {
 /// The same of what may be limited in units of a body, which are not those of the document: η, and asperities.
 Json given_as(const Parameter& its) {
   Json schema = number_of(its);
-  if (its.name == "loss_time" || is_of_face(its.name)) {
+  const bool size_of_face = is_of_face(its.name) && its.unit == "m";
+  if (its.name == "loss_time" || size_of_face) {
     for (const char* key : {"minimum", "exclusiveMinimum", "maximum"}) schema.erase(key);
   }
-  if (is_of_face(its.name)) schema["minimum"] = 0;
+  if (size_of_face) schema["minimum"] = 0;
   return schema;
 }
 

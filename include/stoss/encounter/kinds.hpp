@@ -54,8 +54,10 @@ inline constexpr std::size_t most_layers = 20;
 /// Whether a parameter says how a material loses energy.
 [[nodiscard]] inline bool is_loss(std::string_view name) { return name == "loss_time" || name == "quality"; }
 
-/// Whether a parameter says how rough a face is.
-[[nodiscard]] inline bool is_of_face(std::string_view name) { return name == "roughness" || name == "u0"; }
+/// Whether a parameter says how rough a face is, or with what it is coated.
+[[nodiscard]] inline bool is_of_face(std::string_view name) {
+  return name == "roughness" || name == "u0" || name.starts_with("coat");
+}
 
 /// Whether a parameter is not of a layer but of all of them together.
 [[nodiscard]] inline bool is_of_whole(std::string_view name) { return is_loss(name) || is_of_face(name); }
