@@ -119,6 +119,7 @@ Body coated(const Body& body, const Coat& coat) {
     };
   }
   result.coat = coat;
+  result.name += " coat=" + shown(coat.compliance);
   return result;
 }
 

@@ -49,12 +49,18 @@ Plane plane_of(const std::string& where, const Json& value) {
 
 Participant participant(const std::string& where, const Json& given);
 
-/// What layers have together.
-constexpr std::array of_all_layers{"kind",       "layers",   "loss_time", "quality",
-                                   "relaxation", "young_is", "roughness", "u0"};
-
+/// Whether layers have it together.
 bool is_of_all_layers(const std::string& name) {
-  return std::find(of_all_layers.begin(), of_all_layers.end(), name) != of_all_layers.end();
+  return name == "kind" || name == "layers" || name == "relaxation" || name == "young_is" || is_of_whole(name);
+}
+
+/// "kind, layers, loss_time, …": what a body of layers has besides them.
+std::string keys_of_layered(const Kind& its) {
+  std::string keys = "kind, layers, relaxation, young_is";
+  for (const Parameter& each : its.parameters) {
+    if (is_of_whole(each.name)) keys += ", " + std::string(each.name);
+  }
+  return keys;
 }
 
 /// Layers, each like a whole one but for what all share.
@@ -63,8 +69,8 @@ void read_layers(const std::string& where, const Json& given, Participant& made)
   std::vector<Participant> layers;
   for (Json each : given) {
     const std::string place = where + " " + std::to_string(layers.size() + 1);
-    for (const char* shared : of_all_layers) {
-      if (object(place, each).contains(shared)) refuse(place, shared, "only what is of one layer");
+    for (const auto& [name, value] : object(place, each).items()) {
+      if (is_of_all_layers(name)) refuse(place, name, "only what is of one layer");
     }
     each["kind"] = made.kind;
     layers.push_back(participant(place, each));
@@ -76,7 +82,9 @@ void read_layers(const std::string& where, const Json& given, Participant& made)
 
 /// A body by its file, which stands in the document as it is.
 Participant read_modal(const std::string& where, const Json& given) {
-  require_keys(where, given, {"kind", "body", "relaxation", "roughness", "u0"});
+  std::vector<std::string> keys{"kind", "body", "relaxation"};
+  for (const Parameter& each : kind("modal").parameters) keys.emplace_back(each.name);
+  require_keys(where, given, keys);
   if (!given.contains("body")) refuse(where, given, "an object with a body, as its file has it");
   Participant made = modal_participant(modal_body_from_json(given["body"].dump(), where + " body"));
   if (given.contains("relaxation")) made.relaxation = relaxing_terms(where + " relaxation", given["relaxation"]);
@@ -105,7 +113,7 @@ Participant participant(const std::string& where, const Json& given) {
     if (layered && name == "layers") {
       read_layers(place, value, made);
     } else if (layered && !is_of_all_layers(name)) {
-      refuse(where, name, "kind, layers, loss_time, quality, relaxation, young_is, roughness, u0");
+      refuse(where, name, keys_of_layered(its));
     } else if (name == "relaxation" && !its.wall) {
       made.relaxation = relaxing_terms(place, value);
     } else if (name == "young_is" && !its.wall) {
@@ -169,8 +177,11 @@ Json layers_of(const Participant& of) {
   Json layers = Json::array();
   for (Participant& each : all) {
     each.kind = of.kind;
-    layers.push_back(described(each));
-    for (const char* shared : of_all_layers) layers.back().erase(shared);
+    Json its = described(each), own = Json::object();
+    for (const auto& [name, value] : its.items()) {
+      if (!is_of_all_layers(name)) own[name] = value;
+    }
+    layers.push_back(std::move(own));
   }
   return layers;
 }

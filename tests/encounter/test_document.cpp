@@ -34,7 +34,7 @@ TEST(EncounterDocument, IsRefusedInOneLine) {
   EXPECT_EQ(said(R"({"first":{"kind":"disk","poisson":"x"}})"), "first poisson: got \"x\", allowed a finite number");
   EXPECT_EQ(said(R"({"first":{"kind":"disk","poison":0.3}})"),
             "first: got \"poison\", allowed kind, poisson, radius, young, density, loss_time, quality, roughness, u0, "
-            "relaxation, "
+            "coat, coat_young, coat_poisson, coat_quality, relaxation, "
             "young_is, material, plane, rigid");
   EXPECT_EQ(said(R"({"first":{"kind":"disk","poisson":0.3},"speed":1})"),
             "encounter: got \"speed\", allowed format, first, against, vibration");

@@ -110,8 +110,10 @@ TEST(Plates, AreRefusedInOneLine) {
   EXPECT_EQ(plate(R"("thickness":-1)").substr(0, 26), "against thickness: got -1,");
   EXPECT_EQ(plate(R"("thickness":null)"), "against thickness: got null, allowed a finite number");
   EXPECT_EQ(plate(R"("thickness":1,"rigid":true)").substr(0, 22), "against: got \"rigid\", ");
-  EXPECT_EQ(plate(R"("thickness":1,"layers":[{"thickness":1}])"),
-            "against: got \"thickness\", allowed kind, layers, loss_time, quality, relaxation, young_is");
+  EXPECT_EQ(
+      plate(R"("thickness":1,"layers":[{"thickness":1}])"),
+      "against: got \"thickness\", allowed kind, layers, relaxation, young_is, loss_time, quality, roughness, u0, "
+      "coat, coat_young, coat_poisson, coat_quality");
   EXPECT_EQ(plate(R"("layers":[])"), "against layers: got [], allowed a list of layers, from the top");
   EXPECT_EQ(layers("3"), "against layers 1: got 3, allowed an object");
   EXPECT_EQ(layers("{}"), "against thickness: missing, a number (thickness, from face to face)");
