@@ -153,12 +153,15 @@ const std::vector<double>& RadiatingTail::advance(const std::vector<double>& pos
 std::array<double, 2> RadiatingTail::dissipated_energy() const {
   if (!lossy_) return {};
   const auto [first, second] = residuals_.dissipated();
-  return {first + first_share_ * edge_work_, second + (1.0 - first_share_) * edge_work_};
+  const double edge = edge_work_ - held_by_asperities();
+  return {first + first_share_ * edge, second + (1.0 - first_share_) * edge};
 }
+
+double RadiatingTail::held_by_asperities() const { return rough_ ? contact_.law_energy(force_) : 0.0; }
 
 double RadiatingTail::stored_energy() const {
   const auto [first, second] = residuals_.stored();
-  return first + second + (rough_ ? contact_.law_energy(force_) : 0.0);
+  return first + second + held_by_asperities();
 }
 
 double RadiatingTail::unresolved_energy() const {

@@ -89,6 +89,8 @@ class RadiatingTail final : public HardContact {
   [[nodiscard]] double protrusion() const override { return largest_displacement(); }
 
  private:
+  [[nodiscard]] double held_by_asperities() const;
+
   std::vector<double> contact_displacement_;  // W′f
   bool at_rest_ = true;                       // before anything has touched
   // ∫ f u̇ dt = ∫ f ẋ_dyn dt, as f = 0 where the two differ; by the trapezium rule in x_dyn, which is smooth.

@@ -105,8 +105,9 @@ class Plate(Endless):
                 raise refusal(name, given, "none beside layers")
             object.__setattr__(self, name, its)
         layers = [each._of_one(describe(each)) for each in self.layers]
-        losses = {name: getattr(self, name) for name in (*LOSSES, *FACE) if getattr(self, name) is not None}
-        document: Specification = {"kind": self._kind, "layers": layers, **losses}
+        losses, face = ({name: getattr(self, name) for name in names if getattr(self, name) is not None}
+                        for names in (LOSSES, FACE))
+        document: Specification = {"kind": self._kind, "layers": layers, **losses, **face}
         super().__post_init__()
         object.__setattr__(self, "layers", tuple(self.layers) if len(self.layers) > 1 else None)
         materials = [each.material for each in self.layers or ()]

@@ -56,10 +56,9 @@ void EdgeContact::follow(double before, double now, double step) {
 }
 
 double EdgeContact::closeness(const std::vector<double>& q) const {
-  const double opening = law_.asperities > 0.0 ? 1.0 : law_.opening;  // asperities push as they do, however it recedes
   const double largest = law_.gap.empty()
                              ? std::max(0.0, q[0]) + 0.0 * q[0]
-                             : numeric::kernels::largest_within(q.data(), law_.gap.data(), opening, q.size());
+                             : numeric::kernels::largest_within(q.data(), law_.gap.data(), law_.opening, q.size());
   if (!std::isfinite(largest)) {
     throw NotConverged("contact: the position of a node is not a finite number", "step", "use a smaller step");
   }
