@@ -103,6 +103,8 @@ results: setup python ## the tables of docs/results/ and the figures of docs/und
 	@$(PYTHON) studies/loss/figure.py docs/results/loss.csv docs/images/loss.png
 	@$(PYTHON) studies/relaxing/make.py build/release/cli/stoss docs/results/relaxing
 	@$(PYTHON) studies/relaxing/figure.py docs/results/relaxing docs/images
+	@$(PYTHON) studies/rough/make.py build/release/cli/stoss docs/results/rough
+	@$(PYTHON) studies/rough/figure.py docs/results/rough docs/images
 	@build/release/examples/gas/stoss_gas docs/results/gas.csv build/gas_disks.csv
 	@$(PYTHON) studies/gas/figure.py docs/results/gas.csv build/gas_disks.csv docs/images/gas.png
 	@build/release/examples/gas/stoss_rough_gas docs/results/rough_gas.csv

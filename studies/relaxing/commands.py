@@ -19,10 +19,10 @@ def listed(values):
     return ",".join(f"{value:.6g}" for value in values)
 
 
-def write(folder, name, about, rows):
+def write(folder, name, about, rows, page="relaxing"):
     rows = list(rows)
     with open(folder / f"{name}.csv", "w", encoding="utf-8", newline="") as file:
-        file.write(f"# {about}; made by `make results`. Columns: docs/understand/findings/relaxing.md.\n")
+        file.write(f"# {about}; made by `make results`. Columns: docs/understand/findings/{page}.md.\n")
         writer = csv.DictWriter(file, rows[0], lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
