@@ -75,7 +75,8 @@ Resolution refined_resolution(const Contact& contact, double speed, double half_
   constexpr double margin = 1.06, spacings = 2.0;
   constexpr double matters = 16.0;  // lengths of the asperities from the face where pressure is down to 10⁻⁷
   constexpr int fewest = 16;
-  const double expected = half_width > 0.0 ? half_width : first_half_width(contact, speed, matters * contact.asperities);
+  const double expected =
+      half_width > 0.0 ? half_width : first_half_width(contact, speed, matters * contact.asperities);
   const double width = in_steps(contact, expected);
   const double wanted = std::max<double>(sampled_nodes(contact, width), fewest);
   resolution.half_width = std::min(width * std::max(margin, 1.0 + spacings / wanted), greatest_half_width(contact));

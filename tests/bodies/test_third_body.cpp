@@ -84,7 +84,8 @@ TEST(Dumbbell, AgreesWithRungeKutta) {
     for (const double speed : {0.1, 0.4}) {
       const Body body = test::dumbbell(2.0, omega);
       const double expected = dumbbell_by_runge_kutta(2.0, omega, 40.0, speed);
-      const Impact found = impact(body, ExponentialWall{40.0, 1.0}, speed, {.resolution = {.step = 2.5e-4, .tail = Tail::none}});
+      const Impact found =
+          impact(body, ExponentialWall{40.0, 1.0}, speed, {.resolution = {.step = 2.5e-4, .tail = Tail::none}});
       EXPECT_NEAR(found.restitution, expected, 2e-6) << "omega " << omega << ", speed " << speed;
       EXPECT_NEAR(found.energy.modes.front().after, 1.0 - expected * expected, 1e-5);
       largest_loss = std::max(largest_loss, 1.0 - expected * expected);

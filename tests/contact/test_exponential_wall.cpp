@@ -69,8 +69,8 @@ TEST(ExponentialWall, SaysSoWhenThePenetrationIsBeyondAnyForce) {
 
 TEST(ExponentialWall, IsWithoutForceFarAway) {
   const Body body = disk(0.33, 12.5);
-  const auto response = make_response(contact(body, ExponentialWall{500.0, 1.0}), Tail::none,
-                                      test::grid_of(body, 0.4, 4), 0.1, 0.01);
+  const auto response =
+      make_response(contact(body, ExponentialWall{500.0, 1.0}), Tail::none, test::grid_of(body, 0.4, 4), 0.1, 0.01);
   const std::vector<double> force = response->advance({-1.0, -2.0, -10.0, -1e6});
   for (const double f : force) EXPECT_LT(f, 1e-200);
   EXPECT_FALSE(response->overflows());

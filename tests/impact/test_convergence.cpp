@@ -76,7 +76,8 @@ TEST(StepOrder, IsTwoForADiskAtTheExponentialWall) {
   const Body body = disk(0.33, 25.0);
   std::vector<double> restitution, force;
   for (const double step : {0.004, 0.002, 0.001, 0.0005}) {
-    const Impact result = impact(body, ExponentialWall{100.0, 1.0}, 0.1, {.resolution = {.step = step, .tail = Tail::none}});
+    const Impact result =
+        impact(body, ExponentialWall{100.0, 1.0}, 0.1, {.resolution = {.step = step, .tail = Tail::none}});
     restitution.push_back(result.restitution);
     EXPECT_NEAR(result.energy_error, 0.0, 1e-10);
   }
@@ -88,7 +89,8 @@ TEST(StepOrder, IsTwoForARodAtTheExponentialWall) {
   const Body body = rod(50.0);
   std::vector<double> restitution;
   for (const double step : {0.004, 0.002, 0.001, 0.0005}) {
-    restitution.push_back(impact(body, ExponentialWall{100.0, 1.0}, 0.1, {.resolution = {.step = step, .tail = Tail::none}}).restitution);
+    restitution.push_back(
+        impact(body, ExponentialWall{100.0, 1.0}, 0.1, {.resolution = {.step = step, .tail = Tail::none}}).restitution);
   }
   EXPECT_NEAR(observed_order(restitution[0], restitution[1], restitution[2]), 2.0, 0.05);
   EXPECT_NEAR(observed_order(restitution[1], restitution[2], restitution[3]), 2.0, 0.05);
@@ -104,7 +106,8 @@ TEST(StepOrder, OfTheVelocityInsideAContactIsTwo) {
     const ImpactObserver observer = [&](const Snapshot& now) {
       if (std::lround(now.time * per_unit) == per_unit) found = now.velocity;
     };
-    (void)impact(body, ExponentialWall{200.0, 1.0}, 0.1, {.resolution = {.step = step, .tail = Tail::none}}, {observer});
+    (void)impact(body, ExponentialWall{200.0, 1.0}, 0.1, {.resolution = {.step = step, .tail = Tail::none}},
+                 {observer});
     velocity.push_back(found);
   }
   for (std::size_t i = 3; i < velocity.size(); ++i) {

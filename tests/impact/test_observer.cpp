@@ -171,7 +171,8 @@ INSTANTIATE_TEST_SUITE_P(Walls, Observer, ::testing::ValuesIn(test::every_wall))
 
 TEST(ImpactResult, CarriesItsInputs) {
   const Body body = disk(0.33, 12.5);
-  const Impact result = impact(body, ExponentialWall{321.0, 2.0}, 0.07, {.resolution = {.step = 0.004, .nodes = 150, .tail = Tail::none}});
+  const Impact result = impact(body, ExponentialWall{321.0, 2.0}, 0.07,
+                               {.resolution = {.step = 0.004, .nodes = 150, .tail = Tail::none}});
   EXPECT_EQ(result.contact, body.name);
   EXPECT_NE(result.contact.find("0.33"), std::string::npos);
   ASSERT_TRUE(std::holds_alternative<ExponentialWall>(result.wall));

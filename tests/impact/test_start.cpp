@@ -52,12 +52,14 @@ TEST(StartState, InTheMiddleOfASoftImpactContinuesIt) {
               {now.coordinate.begin(), now.coordinate.end()},
               {now.momentum.begin(), now.momentum.end()}};
   };
-  const Impact whole = impact(body, wall, 0.1, {.resolution = {.step = 0.01, .nodes = 128, .half_width = half_width, .tail = Tail::none}},
-                              {.observer = observer, .modes = true});
+  const Impact whole = impact(
+      body, wall, 0.1, {.resolution = {.step = 0.01, .nodes = 128, .half_width = half_width, .tail = Tail::none}},
+      {.observer = observer, .modes = true});
   ASSERT_GT(middle.velocity, 0.01);
   ASSERT_LT(middle.velocity, 0.09);
-  const Impact rest = impact(body, wall, middle.velocity,
-                             {.resolution = {.step = 0.01, .nodes = 128, .half_width = half_width, .tail = Tail::none}, .start = middle});
+  const Impact rest = impact(
+      body, wall, middle.velocity,
+      {.resolution = {.step = 0.01, .nodes = 128, .half_width = half_width, .tail = Tail::none}, .start = middle});
   EXPECT_LT(rest.steps, whole.steps);
   EXPECT_NEAR(rest.final_state.velocity, whole.final_state.velocity, 1e-10);
   for (std::size_t k = 0; k < middle.momentum.size(); ++k) {

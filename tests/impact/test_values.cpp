@@ -48,7 +48,8 @@ class SoftWallValues : public ::testing::Test {
   static Impact refined(double cutoff) {
     const Body body = disk(0.33, cutoff);
     return impact(body, ExponentialWall{}, 0.1,
-                  {.resolution = {.step = 0.25 * fixed_resolution(contact(body, ExponentialWall{}), 0.1).step, .tail = Tail::none}});
+                  {.resolution = {.step = 0.25 * fixed_resolution(contact(body, ExponentialWall{}), 0.1).step,
+                                  .tail = Tail::none}});
   }
 };
 

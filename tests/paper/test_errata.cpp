@@ -147,7 +147,8 @@ TEST(Errata, E11AllLawsHaveTheSameWaveAtOtherSpeeds) {
 TEST(Errata, E12FewModesGiveLessThanAllDo) {
   // ε at ν = 0.9, v = 0.3 c and αR = 500 with the modes below a cutoff; the paper prints 0.65, all modes give 0.7477.
   const auto restitution = [](double cutoff) {
-    return impact(disk(0.9, cutoff), ExponentialWall{500.0}, 0.3, {.resolution = {.step = 0.001, .tail = Tail::none}}).restitution;
+    return impact(disk(0.9, cutoff), ExponentialWall{500.0}, 0.3, {.resolution = {.step = 0.001, .tail = Tail::none}})
+        .restitution;
   };
   EXPECT_EQ(mode_count(disk(0.9, 3.0)), 5U);
   EXPECT_NEAR(restitution(3.0), 0.63, 0.005);

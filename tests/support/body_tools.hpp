@@ -31,8 +31,10 @@ inline void PrintTo(const WallCase& its, std::ostream* out) {
 }
 
 /// Both tails at a hard wall, and the exponential wall with and without a tail.
-inline const std::vector<WallCase> every_wall{
-    {HardWall{}, Tail::quasistatic}, {HardWall{}, Tail::radiating}, {ExponentialWall{500.0, 1.0}, Tail::none}, {ExponentialWall{500.0, 1.0}, Tail::radiating}};
+inline const std::vector<WallCase> every_wall{{HardWall{}, Tail::quasistatic},
+                                              {HardWall{}, Tail::radiating},
+                                              {ExponentialWall{500.0, 1.0}, Tail::none},
+                                              {ExponentialWall{500.0, 1.0}, Tail::radiating}};
 
 /// The contact grid of a body at a hard wall.
 inline ContactGrid grid_of(const Body& body, double half_width, int nodes) {

@@ -13,6 +13,8 @@ inline void PrintTo(const Disk& disk, std::ostream* out) {
        << disk.density;
 }
 
-inline void PrintTo(Tail tail, std::ostream* out) { *out << (tail == Tail::radiating ? "radiating" : tail == Tail::none ? "no tail" : "quasistatic"); }
+inline void PrintTo(Tail tail, std::ostream* out) {
+  *out << (tail == Tail::radiating ? "radiating" : tail == Tail::none ? "no tail" : "quasistatic");
+}
 
 }  // namespace stoss
