@@ -44,7 +44,7 @@ HardContact::HardContact(const Contact& contact, const ContactGrid& grid, const 
       residuals_(made.residuals),
       contact_(made.compliance, edge_law(contact, grid, speed), poll),
       lossy_(loses(contact)),
-      rough_(contact.asperities > 0.0),
+      rough_(contact_.is_rough()),
       first_share_(loss_share(contact)),
       position_(grid.recess.size()),
       gap_(grid.recess.size()),

@@ -145,12 +145,12 @@ std::vector<Kind> make_kinds() {
   strip.name = "strip", strip.plural = "strips", strip.help = "elastic strip of finite thickness, for disks";
   strip.parameters = {thickness, plane_poisson_number, young, density, loss_time, quality};
   strip.solid = flat<Strip>;
-  for (Kind* each : {&disk, &sphere, &rod, &modal, &half_space, &half_plane, &plate, &strip}) {
-    each->parameters.insert(each->parameters.end(), {roughness, u0, coat, coat_young, coat_poisson, coat_quality});
-  }
   Kind wall = half_space;
   wall.name = "wall", wall.plural = "walls", wall.help = "a rigid wall";
   wall.wall = true, wall.can_yield = false, wall.parameters = {roughness, u0}, wall.solid = {};
+  for (Kind* each : {&disk, &sphere, &rod, &modal, &half_space, &half_plane, &plate, &strip}) {
+    each->parameters.insert(each->parameters.end(), {roughness, u0, coat, coat_young, coat_poisson, coat_quality});
+  }
   Kind same = wall;
   same.name = "same", same.plural = "equal bodies", same.help = "a second body, equal to the first";
   same.parameters = {};

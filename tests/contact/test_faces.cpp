@@ -88,7 +88,7 @@ TEST(RoughFaces, AreSmoothWhereAsperitiesAreShort) {
   for (const BodyMaker& body : {sphere({.poisson = 0.3}), disk({.poisson = 0.3})}) {
     const double smooth = restitution(body, 0.1).lost_fraction.value;
     double before = 0.0;
-    for (const double length : {1e-2, 1e-3, 1e-4, 1e-6, 1e-8}) {
+    for (const double length : {1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-14}) {
       const double lost = restitution(rough(body, length), 0.1).lost_fraction.value;
       EXPECT_GT(lost, before) << length;
       before = lost * (1.0 - 1e-3);

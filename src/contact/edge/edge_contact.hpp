@@ -34,6 +34,9 @@ class EdgeContact {
   /// Tells the law of a lossy contact how the foremost node has moved in a step, before it is solved.
   void follow(double before, double now, double step);
 
+  /// Whether asperities are long enough to be felt.
+  [[nodiscard]] bool is_rough() const { return law_.asperities > 0.0; }
+
   /// Number of leading nodes beyond which the last force vanishes.
   [[nodiscard]] std::size_t extent() const { return extent_; }
 
