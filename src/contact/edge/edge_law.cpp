@@ -77,8 +77,8 @@ EdgeLaw law_of_smooth_faces(const Contact& contact, const ContactGrid& grid, dou
 
 /// Puts asperities in series with the law of smooth faces.
 void add_asperities(const Contact& contact, const ContactGrid& grid, double speed, EdgeLaw& law) {
-  constexpr double negligible = 1e-12;  // of the energy, and of the force that stops the body in the time of a wave
-  constexpr double smears = 3.0;        // fit: impacts on 24 to 256 rings agree best, to 1e-4 of what they lose on 32
+  constexpr double negligible = 1e-12;   // of the energy, and of the force that stops the body in the time of a wave
+  constexpr double smears = 3.0;         // fit: impacts on 24 to 256 rings agree best, to 1e-4 of what they lose on 32
   constexpr double as_if_smooth = 1e-6;  // of the gap of an edge: 1e-6 of what is lost
   const double length = contact.asperities;
   if (!law.gap.empty() && length < as_if_smooth * law.gap.back()) return;
