@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   cli::EncounterOptions who;
   std::vector<std::string> modes;
   who.first.add_poisson_to(app);
-  who.add_to(app, true);
+  who.add_to(app);
   cli::add_modes_to(app, modes);
   (void)fuzz::reads([&] {
     try {
