@@ -28,9 +28,9 @@ Coat coat_of(const Encounter& encounter, const Participant& of) {
   const double thickness = given_or(of, "coat", 0.0), young = given_or(of, "coat_young", 0.0);
   const double poisson = given_or(of, "coat_poisson", 0.3), quality = given_or(of, "coat_quality", 0.0);
   if (thickness == 0.0) {
-    for (const char* name : {"coat_young", "coat_poisson", "coat_quality"}) {
-      if (of.values.contains(name))
-        throw InvalidInput::missing("coat", "", std::string("its thickness; there is a ") + name);
+    if (young > 0.0 || quality > 0.0) {
+      const char* other = young > 0.0 ? "coat_young" : "coat_quality";
+      throw InvalidInput::missing("coat", "", std::string("its thickness; there is a ") + other);
     }
     return {};
   }

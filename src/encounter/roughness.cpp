@@ -68,6 +68,8 @@ BodyMaker with_asperities(const BodyMaker& maker, double asperities) {
 
 void refuse_rough(const Encounter& encounter, const std::string& what) {
   const auto refuse = [&what](const Participant& of) {
+    if (given_or(of, "coat", 0.0) > 0.0)
+      throw InvalidInput::conflict("coat", what + " knows bare faces alone", "leave it out");
     if (asperities_of(of) == 0.0) return;
     const char* name = of.kind == "exponential" ? "hardness" : given_or(of, "u0", 0.0) > 0.0 ? "u0" : "roughness";
     throw InvalidInput::conflict(name, what + " knows smooth faces alone", "leave it out");

@@ -141,7 +141,7 @@ def test_spaces_around_keys_and_numbers_do_not_count(stoss):
 
 def test_help_says_how_layers_are_given(stoss):
     said = " ".join(stoss.run("restitution --help").stdout.split())
-    assert "keys thickness, poisson, young, density, loss_time, quality, roughness, u0, yield, relaxation, young_is, material and" in said
+    assert "keys thickness, poisson, young, density, loss_time, quality, roughness, u0, coat, coat_young, coat_poisson, coat_quality, yield, relaxation, young_is, material and" in said
     assert "and layers below, as /KEY=NUMBER,... (the last may be a block)" in said
 
 

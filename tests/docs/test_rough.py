@@ -128,18 +128,18 @@ def test_radiation_changes_by_twice_the_length_over_the_compression():
             length = make.LENGTH * row["roughness"] / smooth["compression"]
             if length < 0.1:
                 found.append((1 - row["lost_fraction"] / smooth["lost_fraction"]) / length)
-    assert "by {:.1f} to {:.1f} times u₀/δ".format(min(found), max(found)) in WORDS
+    assert f"by {min(found):.1f} to {max(found):.1f} times u₀/δ" in WORDS
 
 
 def test_scale_of_ringing():
     slopes = [row["saved"] / 0.01 for row in having(SHORT, u0=0.01)]
-    assert "from {:.1f} to {:.1f}".format(min(slopes), max(slopes)) in WORDS
+    assert f"from {min(slopes):.1f} to {max(slopes):.1f}" in WORDS
     assert max(slopes) < 2 * 4.5 and min(slopes) > 4.5 / 2
     assert bound("wall", 24e-9, 0.1) > 2 * steel("wall", 0, 0.1)["yield_speed"]
     assert "None of these balls is smooth" in WORDS
     assert f"smooth to 1 % from {bound('block', 24e-9, 0.01):.2g} m/s on" in WORDS
     other = [row["saved"] / row["u0_over_compression"] for row in having(SHORT, u0=0.01)]
-    assert "from {:.0f} to {:.0f}".format(min(other), max(other)) in WORDS
+    assert f"from {min(other):.0f} to {max(other):.0f}" in WORDS
     assert all(row["saved"] > 0.99 for row in having(SHORT, u0=1)) and "rings less than 1 %" in WORDS
 
 

@@ -103,6 +103,10 @@ class ModalBody(Solid):
     tangential_displacement_error: NDArray[np.float64] | None = None
     roughness: float = 0.0
     u0: float = 0.0
+    coat: float = 0.0
+    coat_young: float = 0.0
+    coat_poisson: float = 0.3
+    coat_quality: float = 0.0
     name: str = "modal body"
     origin: str = ""
 

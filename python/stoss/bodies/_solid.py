@@ -69,9 +69,10 @@ LOSSES = ("loss_time", "quality", "relaxation")
 NO_LOSSES: Mapping[str, Any] = MappingProxyType({"loss_time": 0.0, "quality": 0.0, "relaxation": None})
 """How a material loses energy: in one of these ways."""
 
-FACE = ("roughness", "u0")
-SMOOTH: Mapping[str, Any] = MappingProxyType(dict.fromkeys(FACE, 0.0))
-"""How rough a face is: one of these, or 0."""
+LENGTHS_OF_FACE = ("roughness", "u0", "coat")
+FACE = (*LENGTHS_OF_FACE, "coat_young", "coat_poisson", "coat_quality")
+SMOOTH: Mapping[str, Any] = MappingProxyType({**dict.fromkeys(FACE, 0.0), "coat_poisson": 0.3})
+"""How rough a face is, and its coat; those of a bare smooth one."""
 
 
 def losses_of(material: Material) -> dict[str, Any]:
@@ -80,13 +81,15 @@ def losses_of(material: Material) -> dict[str, Any]:
     return {**numbers, "relaxation": material.relaxation}
 
 
-def face_of(solid: Any, per: float = 1.0) -> Specification:
-    """What says how rough its face is; nothing of a smooth one. @param per unit of its numbers"""
-    return {name: getattr(solid, name) / per for name in FACE if getattr(solid, name, 0.0)}
+def face_of(solid: Any, length: float = 1.0, modulus: float = 1.0) -> Specification:
+    """What its face is like; nothing of a bare smooth one. @param length,modulus units of its numbers"""
+    units = {**dict.fromkeys(LENGTHS_OF_FACE, length), "coat_young": modulus}
+    its = {name: getattr(solid, name, SMOOTH[name]) for name in FACE}
+    return {name: value / units.get(name, 1.0) for name, value in its.items() if value != SMOOTH[name]}
 
 
 def is_rough(solid: Any) -> bool:
-    """Whether it has a rough face."""
+    """Whether it has a rough or coated face."""
     return bool(face_of(solid))
 
 
@@ -222,7 +225,7 @@ class Solid:
         relaxation = self.relaxation and [(share, time * rate) for share, time in self.relaxation]
         losses = {"loss_time": self.loss_time * rate, "quality": self.quality, "relaxation": relaxation}
         given = {name: each for name, each in losses.items() if each or name == "loss_time"}
-        return {"kind": self._kind, **poisson, **given, **face_of(self, size)}
+        return {"kind": self._kind, **poisson, **given, **face_of(self, size, self.young)}
 
 
 Block = TypeVar("Block", bound="Endless")

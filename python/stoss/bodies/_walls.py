@@ -87,6 +87,10 @@ class Plate(Endless):
     quality: float = LEFT_OUT
     roughness: float = LEFT_OUT
     u0: float = LEFT_OUT
+    coat: float = LEFT_OUT
+    coat_young: float = LEFT_OUT
+    coat_poisson: float = LEFT_OUT
+    coat_quality: float = LEFT_OUT
     relaxation: Relaxation | None = None
     material: Material | None = None
     layers: Sequence[Layer] | None = None

@@ -27,7 +27,8 @@ TAKES_MATERIAL = ("predict",)
 # Bodies and partners that some commands take; all others are drawn too, at times.
 MOSTLY = {"predict": ["sphere"], "modes": ["disk", "sphere"], "quasistatic": ["disk", "sphere"]}
 FIXED = ["wall", "half-space", "half-plane", "plate", "strip"]
-SELDOM = ("loss_time", "roughness", "u0")
+FACE = ("roughness", "u0", "coat")
+SELDOM = ("loss_time", *FACE, "coat_young", "coat_poisson", "coat_quality")
 LIKELY = {"Pa": (1e5, 1e12), "m": (1e-4, 1), "kg/m^3": (100, 2e4), "m^2": (1e-6, 1), "s": (1e-12, 1e-5)}
 
 
@@ -94,7 +95,7 @@ class Drawer:
                 if unit and what.get("default") == 1.0:
                     continue
                 if needed or rnd.random() < (0.1 if name in SELDOM else 0.3):
-                    face = name in ("roughness", "u0")
+                    face = name in FACE
                     body[name] = _logarithmic(rnd, *((1e-9, 1e-5) if si else (1e-6, 0.5))) if face else _number(rnd, what, si)
         if "loss_time" in properties and not {"loss_time", "quality"} & set(body) and rnd.random() < 0.1:
             body["relaxation"] = rnd.choice(("0.5:1", "0.3:1e-5+0.2:1e-3", "0.9:0.1", "0.6:1+0.6:2"))
@@ -114,7 +115,7 @@ def _logarithmic(rnd, low, high):
 
 def _as_options(body, command):
     for name, value in body.items():
-        if command in ("modes", "quasistatic") and name in ("loss_time", "quality", "relaxation", "rigid", "roughness", "u0"):
+        if command in ("modes", "quasistatic") and name in ("quality", "relaxation", "rigid", *SELDOM):
             continue
         if value is True:
             yield "--rigid-body"
