@@ -237,7 +237,7 @@ class ModalBody(Solid):
         return self._numbers()
 
 
-def _again(document: Mapping[str, Any], face: Mapping[str, float]) -> ModalBody:
+def _again(document: Mapping[str, Any], face: Mapping[str, Any]) -> ModalBody:
     """The body of a document, with what says how rough its face is."""
     words = {name: each for name, each in document.items() if name not in ("format", "modes")}
     return ModalBody(**words, **document["modes"], **face)

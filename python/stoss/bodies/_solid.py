@@ -196,7 +196,7 @@ class Solid:
             usual |= {each.name: each.otherwise for each in kind.parameters} | {"material": None, "plane": None}
         else:
             usual |= {each.name: fields[each.name] for each in kind.parameters if each.of_material}
-            usual |= SMOOTH | (NO_LOSSES if fields.get("rigid") else losses_of(self.material))
+            usual |= {**SMOOTH, **(NO_LOSSES if fields.get("rigid") else losses_of(self.material))}
         same = all(usual.get(name) == fields.get(name) for name in LOSSES)
         said_of_losses = {} if same else losses_in(self)
         usual |= {name: None if name in said_of_losses else fields.get(name) for name in LOSSES}

@@ -194,7 +194,7 @@ def fit(
         >>> best = stoss.fit(ball, against="same", law="viscoelastic", speed=(0.01, 1), program="lammps")
         >>> best
         Fit(viscoelastic, Sphere(poisson=0.3, radius=0.005 m) against Sphere(poisson=0.3, radius=0.005 m):
-        restitution off by 1.2e-05 (5.8e-06 rms), contact_time off by 0.0053 (0.0027 rms))
+        restitution off by 0.00018 (0.00011 rms), contact_time off by 0.005 (0.0026 rms))
         >>> print(best.lines[1])
         pair_coeff * * hertz 1.556...e+11 6082... damping viscoelastic tangential linear_nohistory 0 0
     """

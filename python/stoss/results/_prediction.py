@@ -184,7 +184,7 @@ def predict(
         >>> block = stoss.HalfSpace(material=stoss.materials["bearing steel"])
         >>> gentle = stoss.predict(ball, against=block, speed=0.1)
         >>> round(gentle.restitution, 4), gentle.dominant
-        (0.9987, 'radiation')
+        (0.9988, 'radiation')
         >>> fall = stoss.predict(ball, against=block, height=[1e-4, 1e-3])
         >>> fall.speed.round(4)
         array([0.0443, 0.14  ])

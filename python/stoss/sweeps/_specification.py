@@ -146,7 +146,7 @@ def expanded(name: str, given: Any, left: Choices) -> Iterator[Specification]:
 
 def of_wall(wall: Any) -> Specification:
     """A wall in plain types."""
-    its = wall._document()
+    its: str | Specification = wall._document()
     return {"kind": its} if isinstance(its, str) else its
 
 
