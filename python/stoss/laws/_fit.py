@@ -196,7 +196,7 @@ def fit(
         Fit(viscoelastic, Sphere(poisson=0.3, radius=0.005 m) against Sphere(poisson=0.3, radius=0.005 m):
         restitution off by 0.00018 (0.00011 rms), contact_time off by 0.005 (0.0026 rms))
         >>> print(best.lines[1])
-        pair_coeff * * hertz 1.556...e+11 6082... damping viscoelastic tangential linear_nohistory 0 0
+        pair_coeff * * hertz 1.555...e+11 3460... damping viscoelastic tangential linear_nohistory 0 0
     """
     ball: Sphere = instance("body", body, (Sphere,))
     met = choose_against(ball, against, (HardWall,))
