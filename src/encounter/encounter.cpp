@@ -21,7 +21,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// In units of the first body with a material, of which rods are the exception: they keep SI.
 Values in_units_of_first(const Kind& kind, Values all, const Values& first, double time) {
   for (const Parameter& each : kind.parameters) {
-    if (each.unit.empty()) continue;
+    if (each.unit.empty() || is_of_face(each.name)) continue;  // faces are no part of a solid
     all.find(each.name)->second /= each.unit == "m"   ? first.at("radius")
                                    : each.unit == "s" ? time
                                                       : first.find(each.name)->second;
