@@ -28,6 +28,9 @@ class HardContact : public ContactResponse {
   [[nodiscard]] double half_width() const override { return contact_.half_width(); }
   [[nodiscard]] bool overflows() const override { return contact_.overflows(); }
   [[nodiscard]] std::array<double, 2> relaxing_energy() const override;
+  [[nodiscard]] std::vector<double> crept_force(std::size_t body) const override {
+    return residuals_.crept_force(body);
+  }
   [[nodiscard]] double range() const override { return range_; }
   [[nodiscard]] double touch() const override { return touch_; }
   [[nodiscard]] double contact_threshold() const override { return threshold_; }

@@ -42,6 +42,10 @@ class ContactResponse {
   /// The latter in the first and in the second body.
   [[nodiscard]] virtual std::array<double, 2> relaxing_energy() const { return {}; }
 
+  /// Node forces that would displace the modes above the cutoff of one body at once as its material has let them creep;
+  /// empty where none creep: the last forces.
+  [[nodiscard]] virtual std::vector<double> crept_force(std::size_t /*body*/) const { return {}; }
+
   /// Energy that the modes above the cutoff have taken so far.
   [[nodiscard]] virtual double unresolved_energy() const { return 0.0; }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <variant>
 
+#include "encounter/field_of.hpp"
 #include "stoss/bodies/disk/field.hpp"
 #include "stoss/bodies/sphere/field.hpp"
 #include "stoss/contact/grid.hpp"
@@ -67,7 +68,7 @@ InnerFields inside(double poisson, int number, const Contact& contact, const Imp
   for (const Frame& frame : frames) {
     if (poll) poll();
     const BodyFrame seen = seen_by(contact, grid, frame, number);
-    const typename Kind::Field field = within.at(seen.coordinate, seen.node_force, poll);
+    const typename Kind::Field field = field_of(within, seen, poll);
     for (std::size_t k = 0; k < count; ++k) add(k, field.*Kind::components[k].of, k < 2 ? seen.length : seen.stress);
     add(count, von_mises(field), seen.stress);
     if (poll) poll();

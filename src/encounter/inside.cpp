@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "encounter/field_of.hpp"
 #include "encounter/ground.hpp"
 #include "stoss/bodies/disk/field.hpp"
 #include "stoss/bodies/rod/field.hpp"
@@ -53,10 +54,17 @@ class Block {
   }
 
   Interior operator()(const BodyFrame& seen) const {
-    const std::vector<double> none(rings_);
+    const bodies::half_space::Field waves = field_(seen.coordinate, std::vector<double>(rings_), poll_);
+    auto [von_mises, difference] = ground::stress_below(solid_, points_, with(waves, seen.node_force));
+    bodies::half_space::Field now = with(waves, seen.crept_force);
+    return {std::move(now.normal), std::move(now.lateral), std::move(von_mises), std::move(difference)};
+  }
+
+ private:
+  /// The same with the static answer to forces on the contact points.
+  bodies::half_space::Field with(bodies::half_space::Field now, const std::vector<double>& node_force) const {
     std::vector<double> force(rings_);
-    for (std::size_t i = 0; i < seen.node_force.size(); ++i) force[i / in_ring_] += seen.node_force[i];
-    bodies::half_space::Field now = field_(seen.coordinate, none, poll_);
+    for (std::size_t i = 0; i < node_force.size(); ++i) force[i / in_ring_] += node_force[i];
     for (std::size_t i = 0; i < rings_; ++i) {
       if (force[i] == 0.0) continue;
       for (std::size_t k = 0; k < now.normal.size(); ++k) {
@@ -64,11 +72,9 @@ class Block {
         now.normal[k] += force[i] * answers_[i].normal[k];
       }
     }
-    auto [von_mises, difference] = ground::stress_below(solid_, points_, now);
-    return {std::move(now.normal), std::move(now.lateral), std::move(von_mises), std::move(difference)};
+    return now;
   }
 
- private:
   Solid solid_;
   PlaneGrid points_;
   Poll poll_;
@@ -80,7 +86,7 @@ class Block {
 template <typename Field>
 Inside round_inside(Field field, Poll poll) {
   return [field = std::move(field), poll = std::move(poll)](const BodyFrame& seen) {
-    auto now = field.at(seen.coordinate, seen.node_force, poll);
+    auto now = field_of(field, seen, poll);
     std::vector<double> stress = von_mises(now), difference = principal_difference(now);
     return Interior{std::move(now.radial), std::move(now.tangential), std::move(stress), std::move(difference)};
   };
@@ -114,11 +120,13 @@ struct MakeInside {
   }
   Inside operator()(const Rod&) const {
     return [place = points.radius, sides = points.angle.size()](const BodyFrame& seen) {
-      auto now = bodies::rod::field(*seen.body, seen.coordinate, seen.node_force.front(), place);
+      const auto under = [&](double force) { return bodies::rod::field(*seen.body, seen.coordinate, force, place); };
       // Along a rod there is one stress.
+      auto now = under(seen.node_force.front());
       for (double& each : now.stress) each = std::abs(each);
       const std::vector<double> stress = repeated(now.stress, sides);
-      return Interior{repeated(now.displacement, sides), std::vector<double>(stress.size()), stress, stress};
+      const std::vector<double> moved = repeated(under(seen.crept_force.front()).displacement, sides);
+      return Interior{moved, std::vector<double>(stress.size()), stress, stress};
     };
   }
   template <typename Other>
@@ -170,7 +178,7 @@ Interior mode_shape(const Solid& solid, int order, int index, const PolarGrid& p
   alone.points = {.radius = 1.0, .spacing = std::holds_alternative<Rod>(solid) ? 0.0 : 0.1, .count = 1};
   alone.coordinate.assign(mode_count(*alone.body), 0.0);
   alone.coordinate[*number] = 1.0;
-  alone.node_force = {0.0};
+  alone.node_force = alone.crept_force = {0.0};
   Interior shape = inside(solid, alone, points, {})(alone);
   double greatest = 0.0;
   for (std::size_t i = 0; i < shape.radial.size(); ++i) {

@@ -59,8 +59,11 @@ Frame rate(const Contact& contact, const Frame& before, const Frame& now, const 
     }
   }
   const double time = after.time - before.time;
-  for (std::size_t i = 0; i < now.node_force.size(); ++i) {
-    changing.node_force[i] = time > 0.0 ? (after.node_force[i] - before.node_force[i]) / time : 0.0;
+  for (std::size_t body = 0; body < now.crept_force.size(); ++body) {
+    const std::vector<double>&from = before.crept_force[body], &to = after.crept_force[body];
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      changing.crept_force[body][i] = time > 0.0 ? (to[i] - from[i]) / time : 0.0;
+    }
   }
   return changing;
 }
@@ -97,7 +100,7 @@ Waves waves(const Encounter& encounter, const Impact& original, const Vibration&
   const ground::FieldBelow below = ground::field_below(solid, *meeting.second, own, points, poll);
   const auto add = [&](const Frame& frame, Numbers& lateral, Numbers& normal) {
     const BodyFrame seen = seen_by(meeting, grid, frame, 1);
-    const half_space::Field field = below(seen.coordinate, seen.node_force, poll);
+    const half_space::Field field = below(seen.coordinate, seen.crept_force, poll);
     for (const double each : field.lateral) lateral.push_back(each * seen.length);
     for (const double each : field.normal) normal.push_back(each * seen.length);
   };
@@ -143,7 +146,7 @@ Surfaces surfaces(const Encounter& encounter, const Contact& contact, const Impa
       for (double& distance : points.distance) distance /= seen.length;
       lower = ground::field_below(solid, *seen.body, seen.points, points, poll);
     }
-    for (const double each : lower(seen.coordinate, seen.node_force, poll).normal) {
+    for (const double each : lower(seen.coordinate, seen.crept_force, poll).normal) {
       all.lower.push_back(seen.center + (thickness + each) * seen.length);
     }
   }

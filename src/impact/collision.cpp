@@ -163,6 +163,16 @@ std::vector<double> Collision::node_force() const {
   return shares;
 }
 
+std::array<std::vector<double>, 2> Collision::crept_force() const {
+  std::array<std::vector<double>, 2> both;
+  for (std::size_t body = 0; body < both.size(); ++body) {
+    both[body] = response_->crept_force(body);
+    for (double& each : both[body]) each /= contact_.first->mass;
+    if (both[body].empty()) both[body] = node_force();
+  }
+  return both;
+}
+
 Impact Collision::result() const {
   Impact impact;
   impact.speed = speed_;

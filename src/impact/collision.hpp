@@ -44,6 +44,7 @@ class Collision {
   /// The body recedes and can touch the wall no more.
   [[nodiscard]] bool over();
 
+  [[nodiscard]] double time() const { return history_.time(); }
   [[nodiscard]] double compression() const { return center_.compression(); }
   [[nodiscard]] double velocity() const { return center_.velocity(); }
 
@@ -67,6 +68,9 @@ class Collision {
 
   /// Share of each node in the force.
   [[nodiscard]] std::vector<double> node_force() const;
+
+  /// Snapshot::crept_force
+  [[nodiscard]] std::array<std::vector<double>, 2> crept_force() const;
 
  private:
   void respond();

@@ -1,6 +1,7 @@
 #include "stoss/impact/impact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -40,19 +41,26 @@ std::optional<Impact> run_once(const Contact& contact, double speed, const Fixed
     Snapshot now = collision.snapshot();
     State state;
     std::vector<double> node_force;
+    std::array<std::vector<double>, 2> crept_force;
     if (observation.modes) {
       state = collision.state();
       node_force = collision.node_force();
       now.coordinate = state.coordinate;
       now.momentum = state.momentum;
       now.node_force = node_force;
+      crept_force = collision.crept_force();
+      now.crept_force = {crept_force[0], crept_force[1]};
     }
     whole.convert(now);
     observation.observer(now);
   };
   if (observation.observer) observe();
+  const auto is_seen = [&](long step) {
+    if (!observation.observer || (step % observation.every != 0 && !collision.over())) return false;
+    return !observation.wanted || observation.wanted(collision.time());
+  };
   const auto rest = run(contact, speed, resolution, options.poll, collision, [&](long step) {
-    if (observation.observer && (step % observation.every == 0 || collision.over())) observe();
+    if (is_seen(step)) observe();
   });
   if (!rest) return std::nullopt;
   Impact result = collision.result();

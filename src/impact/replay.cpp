@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include "check.hpp"
 #include "contact/unit_ratios.hpp"
@@ -31,6 +32,12 @@ bool same_modes(const Contact& contact, const std::vector<ModeEnergy>& modes) {
     }
   }
   return true;
+}
+
+/// Before or after the impact.
+Frame apart(double time, State state, std::size_t nodes) {
+  const std::vector<double> none(nodes);
+  return {time, 0.0, 0.0, std::move(state), none, {none, none}};
 }
 
 }  // namespace
@@ -67,8 +74,11 @@ BodyFrame seen_by(const Contact& contact, const ContactGrid& grid, const Frame& 
   const auto middle = begin + static_cast<std::ptrdiff_t>(of_first);
   seen.coordinate.assign(of_second ? middle : begin, of_second ? frame.state.coordinate.end() : middle);
   for (double& each : seen.coordinate) each /= units.length;
+  const double unit = contact.first->mass / (seen.body->mass * units.force);
   seen.node_force = frame.node_force;
-  for (double& each : seen.node_force) each *= contact.first->mass / (seen.body->mass * units.force);
+  for (double& each : seen.node_force) each *= unit;
+  seen.crept_force = frame.crept_force[of_second ? 1 : 0];
+  for (double& each : seen.crept_force) each *= unit;
   return seen;
 }
 
@@ -105,6 +115,9 @@ std::vector<Frame> frames_at(const Contact& contact, const Impact& impact, const
   std::vector<Frame> frames;
   frames.reserve(times.size());
   const auto wanted = [&] { return frames.size() < times.size(); };
+  const auto is_due = [&](double time) {
+    return wanted() && times[frames.size()] <= time + 0.5 * impact.resolution.step;
+  };
   bool first = true;
   const ImpactObserver observer = [&](const Snapshot& now) {
     const auto state = [&] {
@@ -116,24 +129,29 @@ std::vector<Frame> frames_at(const Contact& contact, const Impact& impact, const
     while (first && wanted() && times[frames.size()] < 0.0) {
       if (poll) poll();
       const double time = times[frames.size()];
-      frames.push_back(
-          {time, 0.0, 0.0, free_motion(contact, state(), time), std::vector<double>(now.node_force.size())});
+      frames.push_back(apart(time, free_motion(contact, state(), time), now.node_force.size()));
     }
     first = false;
-    while (wanted() && times[frames.size()] <= now.time + 0.5 * impact.resolution.step) {
+    while (is_due(now.time)) {
       if (poll) poll();
-      frames.push_back(
-          {now.time, now.force, now.contact_half_width, state(), {now.node_force.begin(), now.node_force.end()}});
+      const auto& [one, other] = now.crept_force;
+      frames.push_back({now.time,
+                        now.force,
+                        now.contact_half_width,
+                        state(),
+                        {now.node_force.begin(), now.node_force.end()},
+                        {{{one.begin(), one.end()}, {other.begin(), other.end()}}}});
     }
   };
   const ImpactOptions options{.resolution = Resolution(impact.resolution), .start = impact.start, .poll = poll};
-  const Impact again = stoss::impact(contact, impact.speed, options, {.observer = observer, .modes = true});
+  const Impact again =
+      stoss::impact(contact, impact.speed, options, {.observer = observer, .modes = true, .wanted = is_due});
   const double end = static_cast<double>(again.steps) * again.resolution.step;
   while (wanted()) {
     if (poll) poll();
     const double time = times[frames.size()];
-    frames.push_back({time, 0.0, 0.0, free_motion(contact, again.final_state, time - end),
-                      std::vector<double>(static_cast<std::size_t>(impact.resolution.nodes))});
+    frames.push_back(apart(time, free_motion(contact, again.final_state, time - end),
+                           static_cast<std::size_t>(impact.resolution.nodes)));
   }
   return frames;
 }

@@ -48,6 +48,15 @@ void CreepMemory::take(const std::vector<double>& elastic) {
   }
 }
 
+std::vector<double> CreepMemory::crept() const {
+  std::vector<double> sum = elastic_;
+  for (double& each : sum) each *= glass_;
+  for (const Term& term : terms_) {
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += term.last[i];
+  }
+  return sum;
+}
+
 double CreepMemory::energy(const CreepMemory& stress) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < elastic_.size(); ++i) sum += 0.5 * glass_ * elastic_[i] * stress.elastic_[i];

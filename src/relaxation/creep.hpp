@@ -41,6 +41,9 @@ class CreepMemory {
   /// Ends the step with the elastic strain, of which predict() need not be known.
   void take(const std::vector<double>& elastic);
 
+  /// u: what follows d at once, and what has crept.
+  [[nodiscard]] std::vector<double> crept() const;
+
   /// Σ_i ½ (glass d_i d*_i + Σ_j U_j U*_j rate/fluidity), with the same of a second memory of equal creep: the energy
   /// of the springs where the one is of strains, the other of stresses.
   [[nodiscard]] double energy(const CreepMemory& stress) const;

@@ -40,7 +40,7 @@ struct Seen {
 BodyFrame on_few_rings(BodyFrame seen) {
   seen.points.spacing *= static_cast<double>(seen.points.count) / 6.0;
   seen.points.count = 6;
-  seen.node_force = {0.5, 1.5, 2.0, 1.0, 0.25, 0.0};
+  seen.node_force = seen.crept_force = {0.5, 1.5, 2.0, 1.0, 0.25, 0.0};
   return seen;
 }
 
@@ -61,6 +61,19 @@ TEST(Inside, OfADiskIsItsField) {
   EXPECT_EQ(ours.tangential, theirs.tangential);
   EXPECT_EQ(ours.von_mises, von_mises(theirs));
   EXPECT_EQ(ours.principal_difference, principal_difference(theirs));
+}
+
+TEST(Inside, OfADiskThatRelaxesHasCrept) {
+  const Seen seen({.first = {.values = {{"poisson", 0.3}}, .relaxation = Relaxation{{{0.5, 0.3}}}}}, 0);
+  const Interior ours = inside(seen.solid, seen.before, around, {})(seen.now);
+  const bodies::disk::DiskField field(0.3, *seen.now.body, seen.now.points, around);
+  const bodies::disk::Field crept = field.at(seen.now.coordinate, seen.now.crept_force);
+  const bodies::disk::Field at_once = field.at(seen.now.coordinate, seen.now.node_force);
+  EXPECT_EQ(ours.radial, crept.radial);
+  EXPECT_EQ(ours.tangential, crept.tangential);
+  EXPECT_EQ(ours.von_mises, von_mises(at_once));
+  // Where it touches, half of what the modes that are not kept give way.
+  EXPECT_LT(crept.radial[6], at_once.radial[6]);
 }
 
 TEST(Inside, OfARodIsTheSameAcrossIt) {

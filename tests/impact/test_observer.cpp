@@ -90,6 +90,21 @@ TEST_P(Observer, IsCalledEverySoManySteps) {
   EXPECT_EQ(some.back().time, all.back().time);
 }
 
+TEST_P(Observer, SeesTheFirstInstantAndThoseThatAreWanted) {
+  Impact result;
+  const auto all = watch(body, wall, 0.1, tail, &result);
+  std::vector<double> seen;
+  const double half = 0.5 * all.back().time;
+  (void)impact(body, wall, 0.1, {.resolution = {.tail = tail}},
+               {.observer = [&](const Snapshot& now) { seen.push_back(now.time); },
+                .wanted = [half](double time) { return time > half; }});
+  std::vector<double> wanted;
+  for (const Snapshot& each : all) {
+    if (wanted.empty() || each.time > half) wanted.push_back(each.time);
+  }
+  EXPECT_EQ(seen, wanted);
+}
+
 TEST_P(Observer, GetsTheModesOnRequest) {
   bool without = true;
   (void)impact(body, wall, 0.1, {.resolution = {.tail = tail}},

@@ -27,13 +27,13 @@ void PrintTo(const Meeting& meeting, std::ostream* stream) { *stream << meeting.
 class TouchingSurfaces : public testing::TestWithParam<Meeting> {};
 
 /// Displacement of the surface of a body at the contact points, towards what it meets, in its own units: by its kept
-/// modes and, in their static answer to the forces, by all others.
+/// modes and, in their static answer to the forces as far as the material has crept, by all others.
 std::vector<double> contact_displacement(const BodyFrame& seen) {
   std::vector<double> displacement = surface_displacement(seen, seen.points);
   const std::vector<double> compliance = residual_compliance(seen);
   const std::size_t count = seen.points.count;
   for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j < count; ++j) displacement[i] -= compliance[i * count + j] * seen.node_force[j];
+    for (std::size_t j = 0; j < count; ++j) displacement[i] -= compliance[i * count + j] * seen.crept_force[j];
   }
   return displacement;
 }
@@ -78,7 +78,13 @@ INSTANTIATE_TEST_SUITE_P(
         Meeting{"disks", disk(0.33), disk(Disk{.poisson = 0.2, .radius = 2.0, .young = 3.0}), 20.0},
         Meeting{"disk_half_plane", disk(0.33), half_plane({.poisson = 0.2, .young = 0.5, .density = 2.0}), 8.0},
         Meeting{"spheres", sphere(0.3), sphere(Sphere{.poisson = 0.2, .radius = 0.5, .density = 3.0}), 20.0},
-        Meeting{"sphere_half_space", sphere(0.3), half_space({.poisson = 0.2, .young = 0.5, .density = 2.0}), 8.0}),
+        Meeting{"sphere_half_space", sphere(0.3), half_space({.poisson = 0.2, .young = 0.5, .density = 2.0}), 8.0},
+        Meeting{"relaxing_spheres", relaxing(sphere(0.3), {{{0.3, 0.1}, {0.2, 5.0}}}),
+                relaxing(sphere(Sphere{.poisson = 0.2, .radius = 0.5, .density = 3.0}), {{{0.5, 1.0}}}), 20.0},
+        Meeting{"relaxing_disk_lossy_half_plane", relaxing(disk(0.33), {{{0.3, 0.1}, {0.2, 5.0}}}),
+                half_plane({.poisson = 0.2, .young = 0.5, .density = 2.0, .loss_time = 0.1}), 8.0},
+        Meeting{"sphere_lossy_half_space", sphere(0.3),
+                half_space({.poisson = 0.2, .young = 0.5, .density = 2.0, .loss_time = 0.1}), 8.0}),
     [](const auto& each) { return each.param.name; });
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -40,6 +41,10 @@ struct Snapshot {
   std::span<const double> coordinate;  ///< Q, on request; valid during the call
   std::span<const double> momentum;    ///< P, on request; valid during the call
   std::span<const double> node_force;  ///< share of each contact node in F, on request; valid during the call
+
+  /// Node forces that would displace the modes that are not kept of the first and of the second body at once as they
+  /// are: node_force, unless a material creeps. On request; valid during the call.
+  std::array<std::span<const double>, 2> crept_force{};
 };
 
 /// Receives the instants of an impact in order of time. What it throws ends the impact and reaches
@@ -50,7 +55,8 @@ using ImpactObserver = std::function<void(const Snapshot&)>;
 struct Observation {
   ImpactObserver observer{};
   int every = 1;       ///< the observer sees the first instant, every so many steps, and the last
-  bool modes = false;  ///< fill Snapshot::coordinate, momentum and node_force
+  bool modes = false;  ///< fill Snapshot::coordinate, momentum and the forces
+  std::function<bool(double time)> wanted{};  ///< whether it sees an instant after the first, R/c; empty: all of these
 };
 
 /// Energy of one kept mode, as shares of the initial energy.

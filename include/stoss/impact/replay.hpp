@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -15,7 +16,8 @@ struct Frame {
   double force = 0.0;               ///< F, πRE = mc²/R
   double contact_half_width = 0.0;  ///< R
   State state;
-  std::vector<double> node_force;  ///< share of each contact node in F
+  std::vector<double> node_force;                    ///< share of each contact node in F
+  std::array<std::vector<double>, 2> crept_force{};  ///< Snapshot::crept_force
 };
 
 /// One of two bodies at one instant. Lengths and the place are in units of the first, what is inside the body in its
@@ -28,6 +30,7 @@ struct BodyFrame {
   ContactPoints points;            ///< on the body
   std::vector<double> coordinate;  ///< Q of its modes
   std::vector<double> node_force;  ///< share of each contact node in F, towards the inside of the body, its mc²/R
+  std::vector<double> crept_force;  ///< the same of Frame::crept_force: node_force without loss
 };
 
 /// Place of the centre of one of the bodies, R of the first: the bodies at rest would first touch at x = 0, and the
@@ -49,7 +52,7 @@ struct BodyFrame {
 [[nodiscard]] std::vector<double> surface_displacement(const BodyFrame& seen, const ContactPoints& points);
 
 /// Compliance of the modes of a body that are not kept: displacement into the body at a contact point, in its own
-/// units, per share of force BodyFrame::node_force at another.
+/// units, per share of force BodyFrame::crept_force at another.
 [[nodiscard]] std::vector<double> residual_compliance(const BodyFrame& seen, const Poll& poll = {});
 
 /// What meets at given times of its impact, which is repeated bit by bit: during the impact at the

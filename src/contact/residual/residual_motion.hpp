@@ -46,6 +46,9 @@ class ResidualMotion {
   /// Ends it with the displacement u and the force f.
   void move(const std::vector<double>& displacement, const std::vector<double>& force);
 
+  /// Of a lossy material: K u, the force that would displace the springs at once as they are.
+  [[nodiscard]] std::vector<double> crept_force() const { return stress_.crept(); }
+
   /// What the material has taken so far, the work on its springs less what they hold.
   [[nodiscard]] double dissipated() const { return lossy_ ? work_ - stored() : 0.0; }
 

@@ -29,6 +29,7 @@ Residuals::Residuals(const Contact& contact, const ContactGrid& grid, ResidualMo
   }
   for (ResidualPart& coat : coats(contact, grid)) {
     bodies_.push_back(coat.body);
+    ++coats_;
     parts_.emplace_back(std::move(coat), contact, grid, ResidualMotion::Inertia::none, step, poll);
   }
   joined_ = parts_.size() == 1 && !lossy_;
@@ -67,6 +68,13 @@ void Residuals::move(const std::vector<double>& displacement, const std::vector<
     for (std::size_t i = 0; i < nodes; ++i) displacement_[k][i] += free_[i];
     parts_[k].move(displacement_[k], force);
   }
+}
+
+std::vector<double> Residuals::crept_force(std::size_t body) const {
+  for (std::size_t k = 0; lossy_ && k + coats_ < parts_.size(); ++k) {
+    if (bodies_[k] == body) return parts_[k].crept_force();
+  }
+  return {};
 }
 
 std::array<double, 2> Residuals::dissipated() const {

@@ -26,6 +26,9 @@ class Residuals {
   /// Ends it with the force f, of which the first `count` may be other than 0, and the displacement u.
   void move(const std::vector<double>& displacement, const std::vector<double>& force, std::size_t count);
 
+  /// Of a lossy contact: the force that would displace the modes of one body at once as they are; empty of a rigid one.
+  [[nodiscard]] std::vector<double> crept_force(std::size_t body) const;
+
   /// What the material of the first and of the second body has taken.
   [[nodiscard]] std::array<double, 2> dissipated() const;
 
@@ -35,6 +38,7 @@ class Residuals {
  private:
   std::vector<ResidualMotion> parts_;
   std::vector<std::size_t> bodies_;  // of each
+  std::size_t coats_ = 0;            // the last of them
   bool lossy_;
   bool joined_ = false;                            // one part, which has all there is
   std::vector<double> kicks_;                      // A, nodes × nodes; in lossy bodies, empty if it is 0
