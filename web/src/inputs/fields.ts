@@ -46,6 +46,12 @@ export function isLoss(field: Field): boolean {
   return place !== undefined && isLossName(place.name);
 }
 
+/** Whether a loss was typed, in place of that of a named material. */
+export function hasOwnLoss(encounter: Encounter): boolean {
+  const { first, second } = meetingOf(encounter);
+  return [first, second].some((side) => side && !side.material && side.fields.some((name) => isLossName(name) && side.body[name] !== 0));
+}
+
 /** What a class measures in place of a number of the core, in a unit of its own. */
 interface Measure {
   readonly words: Word;

@@ -6,7 +6,7 @@ import { displayed, significant, withUnit } from '../drawing/numbers';
 import { check, refusal } from '../inputs/check';
 import { say } from '../drawing/words';
 import { type Choice, encounterOf, madeOf, meetingOf, withBody } from '../inputs/document';
-import { type Field, fieldsOf, isLoss, measureOf, owner, shownOf, wordsOf } from '../inputs/fields';
+import { type Field, fieldsOf, hasOwnLoss, isLoss, measureOf, owner, shownOf, wordsOf } from '../inputs/fields';
 import { openFile, titleOf, withFile } from '../inputs/files';
 import {
   type Inputs, type View, dropOf, isBall, presetOf, presets, withAgainst, withKind, withPreset,
@@ -20,7 +20,7 @@ const homes = ['first-fields', 'second-fields', 'speed-field', 'motion-fields', 
 
 function homeOf(field: Field, view: View): (typeof homes)[number] {
   const place = owner(field);
-  if (view === 'ball' && field !== 'speed' && (isLoss(field) || !place)) return 'more-fields';
+  if (isLoss(field) || (view === 'ball' && field !== 'speed' && !place)) return 'more-fields';
   if (place === undefined) return field === 'speed' ? 'speed-field' : 'motion-fields';
   return place.second ? 'second-fields' : 'first-fields';
 }
@@ -115,7 +115,7 @@ export function createControls(initial: Inputs, listener: Listener) {
     choose('plane', plane);
     simple.checked = inputs.view === 'simple';
     showView(inputs.view);
-    if (asBall && inputs.friction !== 0) find('more', HTMLDetailsElement).open = true;
+    if ((asBall && inputs.friction !== 0) || hasOwnLoss(encounter)) find('more', HTMLDetailsElement).open = true;
     find('plane-row', HTMLElement).hidden = !(si && kindNamed(kind).hasPlane);
     find('material-row', HTMLElement).hidden = !si || file !== undefined;
     find('material2-row', HTMLElement).hidden = !si || second === undefined || file2 !== undefined;
