@@ -82,8 +82,8 @@ describe.skipIf(missing !== '')(`a real ball${missing && ` (${missing})`}`, () =
     await page.fill('#field-friction', '0.3');
     await page.waitForFunction(() => /^0\.\d+ ± |^-0\.\d+ ± /.test(document.getElementById('tangential')!.textContent!));
     expect(await page.isVisible('#prediction')).toBe(true);
-    await page.fill('#field-loss_time', '0');
-    await page.press('#field-loss_time', 'Tab');
+    await page.fill('#field-quality', '0');
+    await page.press('#field-quality', 'Tab');
     await page.waitForURL(/eta=0&.*&mu=0\.3$/);
     await page.context().close();
   });

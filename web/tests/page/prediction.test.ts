@@ -2,8 +2,8 @@
 import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
 import { type Site, missing, settled, startSite } from './browser';
 
-const steel = 'body=sphere&units=SI&nu=0.3&E=2.1e11&rho=7810&R=0.005&eta=5.305164769729845e-9';
-const glass = 'nu2=0.22&E2=7e10&rho2=2500&eta2=1.5915494309189534e-8';
+const steel = 'body=sphere&units=SI&nu=0.3&E=2.1e11&rho=7810&R=0.005&Q=3000';
+const glass = 'nu2=0.22&E2=7e10&rho2=2500&Q2=1000';
 
 describe.skipIf(missing !== '')(`real materials${missing && ` (${missing})`}`, () => {
   let site: Site;

@@ -121,7 +121,7 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
     expect(page.url()).toMatch(/&v=4\.95\d+&mu=1&angle=25&spin=40$/);
     expect(await page.textContent('#command-line')).toContain('stoss oblique --body sphere');
     expect(await page.textContent('#afterwards')).toMatch(/Spin of the first body after the impact-\d+\.\d+ ± \d+\.\d+\srad\/s/);
-    await page.waitForSelector('#hops canvas[aria-label*="2, table: ε 0.9"]');
+    await page.waitForSelector('#hops canvas[aria-label*="2, table: ε 0.871"]');
     await page.waitForSelector('#scene canvas[aria-label*="% sticks"]');
     await page.locator('#angle-chart .chart-area').press('ArrowRight');
     await page.waitForFunction(() => location.search.includes('&angle=26'));
