@@ -24,12 +24,12 @@ struct Frame {
 /// own: the arguments of DiskField and SphereField.
 struct BodyFrame {
   std::shared_ptr<const Body> body;
-  double length = 1.0;             ///< R of the body, in that of the first
-  double stress = 1.0;             ///< its unit of stress (of a disk or a sphere E), in that of the first
-  double center = 0.0;             ///< place of its centre: the bodies at rest would first touch at x = 0
-  ContactPoints points;            ///< on the body
-  std::vector<double> coordinate;  ///< Q of its modes
-  std::vector<double> node_force;  ///< share of each contact node in F, towards the inside of the body, its mc²/R
+  double length = 1.0;              ///< R of the body, in that of the first
+  double stress = 1.0;              ///< its unit of stress (of a disk or a sphere E), in that of the first
+  double center = 0.0;              ///< place of its centre: the bodies at rest would first touch at x = 0
+  ContactPoints points;             ///< on the body
+  std::vector<double> coordinate;   ///< Q of its modes
+  std::vector<double> node_force;   ///< share of each contact node in F, towards the inside of the body, its mc²/R
   std::vector<double> crept_force;  ///< the same of Frame::crept_force: node_force without loss
 };
 
