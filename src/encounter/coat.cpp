@@ -6,6 +6,7 @@
 #include <string>
 
 #include "body/changed.hpp"
+#include "check.hpp"
 #include "encounter/participant.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/relaxation/constant_quality.hpp"
@@ -39,7 +40,10 @@ Coat coat_of(const Encounter& encounter, const Participant& of) {
   const double confined = young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
   const double shear = 0.5 * young / (1.0 + poisson), size = thickness / length;
   Coat made{size * modulus / confined, size * modulus / shear, {}};
-  if (quality > 0.0) made.relaxation = constant_quality(quality, lowest_of_body, highest_of_body);
+  if (quality > 0.0) {
+    require("coat_quality", quality, {3.0, 1e9, true, true, "3 to 1e9"}, "the same at all frequencies; 0: no loss");
+    made.relaxation = constant_quality(quality, lowest_of_body, highest_of_body);
+  }
   return made;
 }
 

@@ -44,7 +44,7 @@ TEST(Coats, AreRefusedInOneLine) {
   EXPECT_EQ(said(R"("coat_young":0.1)"), "coat: missing (its thickness; there is a coat_young)");
   EXPECT_EQ(said(R"("coat":-1,"coat_young":1)").substr(0, 24), "coat: got -1, allowed 0 ");
   EXPECT_EQ(said(R"("coat":0.1,"coat_young":1,"coat_poisson":0.5)").substr(0, 21), "coat_poisson: got 0.5");
-  EXPECT_EQ(said(R"("coat":0.1,"coat_young":1,"coat_quality":1)").substr(0, 7), "quality");
+  EXPECT_EQ(said(R"("coat":0.1,"coat_young":1,"coat_quality":1)").substr(0, 12), "coat_quality");
 }
 
 }  // namespace
