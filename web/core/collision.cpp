@@ -43,7 +43,12 @@ class Collision {
 
   /// Collision of the protocol.
   [[nodiscard]] val series() const {
-    const auto touches = [](const Snapshot& now) { return now.force > 0.0; };
+    // Rough faces, which feel each other at any distance, touch as Impact::contact_time has it.
+    double least = 0.0;
+    for (const Snapshot& now : snapshots_) {
+      if (its_.contact.asperities > 0.0) least = std::max(least, 1e-3 * now.force);
+    }
+    const auto touches = [least](const Snapshot& now) { return now.force > least; };
     const auto begin = std::find_if(snapshots_.begin(), snapshots_.end(), touches);
     const auto end = std::find_if(snapshots_.rbegin(), snapshots_.rend(), touches);
     const double second = meeting_->unit(Dimension::time);

@@ -1,9 +1,11 @@
+#include <array>
 #include <cmath>
 #include <string>
 #include <variant>
 
 #include "questions.hpp"
 #include "stoss/encounter/document.hpp"
+#include "stoss/encounter/relaxing.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/version.hpp"
 
@@ -58,6 +60,14 @@ val speed(const Question& asked) {
 /// What a text stands for, as the command reads it. @throws InvalidInput with its name
 val number(const Question& asked) { return val(parse_number(asked.text("name"), asked.text("text"))); }
 
+/// [[share, time], ...], as documents have them. @throws InvalidInput with its name
+val relaxation(const Question& asked) {
+  const Relaxation its = parse_relaxation(asked.text("name"), asked.text("text"));
+  return list(its.terms, [](const RelaxationTerm& term) {
+    return list(std::array{term.share, term.time}, [](double number) { return val(number); });
+  });
+}
+
 val series(const Question& asked) { return float64_array(parse_series(asked.text("name"), asked.text("text"))); }
 
 }  // namespace
@@ -67,6 +77,7 @@ EMSCRIPTEN_BINDINGS(encounter) {
   emscripten::function("units", &answered<units>);
   emscripten::function("speed", &answered<speed>);
   emscripten::function("number", &answered<number>);
+  emscripten::function("relaxation", &answered<relaxation>);
   emscripten::function("series", &answered<series>);
 }
 

@@ -22,6 +22,15 @@ static void to_json(Json& json, const Parameter& of) {
   if (std::isfinite(of.high)) json["most"] = of.high;
 }
 
+/// What is no number of a body, but a list of them.
+static Json relaxation() {
+  return {{"name", "relaxation"},
+          {"unit", "s"},
+          {"ofMaterial", false},
+          {"otherwise", 0},
+          {"help", "shares of the modulus E(0) that relax, and their times, as in 0.5:1+0.2:10"}};
+}
+
 static void to_json(Json& json, const Kind& kind) {
   json = {{"name", kind.name},           {"help", kind.help},
           {"solid", !kind.wall},         {"bounded", kind.bounded},
@@ -29,8 +38,10 @@ static void to_json(Json& json, const Kind& kind) {
           {"fromFile", kind.from_file},  {"length", unit_name(Dimension::length, kind.own)},
           {"parameters", Json::array()}, {"meets", Json::array()}};
   for (const Parameter& each : kind.parameters) {
-    if (!is_of_face(each.name)) json["parameters"].push_back(Json(each));  // the page asks for smooth faces only
+    // The page has smooth walls, and of a body the rms height of its asperities.
+    if (!(is_of_face(each.name) && kind.wall) && each.name != "u0") json["parameters"].push_back(Json(each));
   }
+  if (!kind.wall) json["parameters"].push_back(relaxation());
   for (const Kind& other : kinds()) {
     if (!other.wall && meets(kind, other)) json["meets"].push_back(other.name);
   }
@@ -81,7 +92,7 @@ val quantities(const Question&) {
   return val(all.dump());
 }
 
-/// Those with a quality that the page can ask for, or none: it asks for no other relaxation.
+/// Those with a quality that the page can ask for, or none: other relaxations have more terms than a field shows.
 std::vector<NamedMaterial> materials_of_qualities() {
   constexpr double least = 3.0;
   std::vector<NamedMaterial> all = named_materials();

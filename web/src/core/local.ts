@@ -64,6 +64,11 @@ export function numberOf(name: string, text: string): number {
   return ask('number', { name, text });
 }
 
+/** Shares and times of a relaxation as the command reads it: 0.5:1+0.2:10. */
+export function relaxationOf(name: string, text: string): readonly (readonly [number, number])[] {
+  return ask('relaxation', { name, text });
+}
+
 /** The speeds that a text stands for, as the command reads it: one, a list a,b,c, log:a:b:n or lin:a:b:n. */
 export function seriesOf(text: string): readonly number[] {
   return Array.from(ask<Float64Array>('series', { name: 'speeds', text }));

@@ -11,6 +11,7 @@ const answers: Record<string, (given: never) => unknown> = {
     if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text)) throw new CoreError(say('check.no_number', { name, got: text }));
     return Number(text);
   },
+  relaxation: ({ text }: { text: string }): number[][] => text.split('+').map((term) => term.split(':').map(Number)),
   units: ({ document }: { document: string }): Units => {
     const { material } = (JSON.parse(document) as { first: { material?: string | Material } }).first;
     const { young, density, poisson } =

@@ -3,16 +3,18 @@
 import type { Encounter, Motion } from '../core/protocol';
 import { rounded, shortest } from '../drawing/numbers';
 import { say } from '../drawing/words';
-import { brief, motionProblem, parseNumber, repaired } from './check';
+import { motionProblem, repaired } from './check';
 import {
-  type Body, type Choice, type Side, ball, encounterOf, madeOf, meetingOf, ofFile, unitBody, withBody,
+  type Body, type Choice, type Side, ball, encounterOf, isUnusual, madeOf, meetingOf, noLoss, ofFile, unitBody, withBody,
 } from './document';
-import { motionFieldsOf, motions, names } from './fields';
-import { fileNamed, nameOf } from './files';
+import { motionFieldsOf, motions, names, softCoat, textOf } from './fields';
+import { nameOf } from './files';
 import { type Inputs, type View, defaults, dropOf, firstBall, mostKept, siSpeed, speedOf } from './inputs';
 import {
-  type BodyField, type BodyKind, blockOf, blocks, bodyKinds, isLossName, materialNamed, materials,
+  type BodyField, type BodyKind, bareFace, blockOf, blocks, bodyKinds, isFaceName, isLossName, isOfCoat, materialNamed,
+  materials, parametersOf,
 } from './kinds';
+import { Reader, decoded } from './reader';
 import { barSpeed } from './units';
 
 const keyOf = (field: BodyField, second: boolean): string => names[field][1] + (second ? '2' : '');
@@ -38,11 +40,17 @@ export function toAddress(inputs: Inputs): string {
   ].join('&');
 }
 
-/** Whether a body of a named material has such a number of its own. */
-const isOwn = (field: BodyField): boolean => ['radius', 'thickness'].includes(field) || isLossName(field);
+/** Whether a body of a named material has it of its own. */
+const isOwn = (field: BodyField): boolean => ['radius', 'thickness'].includes(field) || isLossName(field) || isFaceName(field);
 
-/** Whether a loss stands for that of the body: without a quality it is the loss time, be it 0. */
-const isGiven = (name: BodyField, { quality }: Body): boolean => (name === 'quality') === (quality !== 0);
+/** Whether what most bodies do without is named; `lossless` says whether none of the losses is, too. */
+function isNamed(name: BodyField, body: Body, lossless: boolean): boolean {
+  if (!isLossName(name) && !isFaceName(name)) return true;
+  return isUnusual(name, body) || (lossless && name === 'loss_time' && !['quality', 'relaxation'].some((other) =>
+    isUnusual(other as BodyField, body)));
+}
+
+const pairOf = (name: BodyField, { body, second }: Side): [string, string] => [keyOf(name, second), textOf(body[name], shortest)];
 
 const grounds = ['half-space', 'plate', 'same'] as const;
 const solids = materials.map(({ name }) => name) as [string, ...string[]];
@@ -50,19 +58,19 @@ const solids = materials.map(({ name }) => name) as [string, ...string[]];
 /** Of named materials, which have their loss unless one has been typed. */
 function ballPairs(encounter: Encounter): string[] {
   const { against, first, second } = meetingOf(encounter);
-  const its = ({ solid, material, body, fields, second: other }: Side): string[] => [
-    `${other ? 'material2' : 'material'}=${encodeURIComponent(solid!.name)}`,
-    ...fields.filter((name) => isOwn(name) && !(isLossName(name) && (material || !isGiven(name, body))))
-      .map((name) => `${keyOf(name, other)}=${shortest(body[name])}`),
+  const its = (side: Side): string[] => [
+    `${side.second ? 'material2' : 'material'}=${encodeURIComponent(side.solid!.name)}`,
+    ...side.fields.filter((name) => isOwn(name) && !(isLossName(name) && side.material) && isNamed(name, side.body, true))
+      .map((name) => pairOf(name, side).join('=')),
   ];
   return [...its(first), ...(against === 'half-space' ? [] : [`against=${against}`]), ...(second ? its(second) : [])];
 }
 
 function pairsOf(encounter: Encounter, between: string): string[] {
   const { kind, si, against, first, second } = meetingOf(encounter);
-  const numbers = ({ body, fields, second: other, file }: Side): [string, string][] => (
-    file ? [[other ? 'file2' : 'file', nameOf(file)]] : fields.filter((name) => !isLossName(name) || body[name] !== 0)
-      .map((name) => [keyOf(name, other), shortest(body[name])]));
+  const numbers = (side: Side): [string, string][] => (
+    side.file ? [[side.second ? 'file2' : 'file', nameOf(side.file)]]
+      : side.fields.filter((name) => isNamed(name, side.body, false)).map((name) => pairOf(name, side)));
   const pairs: [string, string][] = [
     ['body', kind], ...(first.file ? numbers(first) : []), ...(si ? [['units', 'SI']] as const : []),
     ...(first.strain ? [['plane', 'strain']] as const : []), ...(first.file ? [] : numbers(first)),
@@ -83,7 +91,7 @@ export function fromAddress(text: string): { inputs: Inputs; problem: string } {
   const encounter = inRange(encounterFrom(reader, view), problems);
   const motion = motionFrom(reader, encounter, view, problems);
   reader.word('version', [version]);
-  reader.finish();
+  reader.finish(known);
   const curves = parts.filter(isKept);
   if (curves.length > mostKept) problems.push(say('address.curves', { count: curves.length, most: mostKept }));
   const kept = curves.slice(0, mostKept).flatMap((part) => keptFrom(part.slice('keep='.length), problems));
@@ -122,7 +130,7 @@ function keptFrom(text: string, problems: string[]): Encounter[] {
   const wrong: string[] = [];
   const reader = new Reader(decoded(text).split(','), ':', wrong);
   const encounter = encounterFrom(reader, 'full');
-  reader.finish();
+  reader.finish(known);
   inRange(encounter, wrong);
   if (wrong.length === 0) return [encounter];
   problems.push(`keep: ${wrong[0]}`);
@@ -162,77 +170,19 @@ function encounterFrom(reader: Reader, view: View): Encounter {
     if (its) encounter = { ...encounter, [second ? 'against' : 'first']: ofFile(its) };
     else if (side) {
       const solid = isBall ? materialNamed(reader.word(second ? 'material2' : 'material', solids)) : undefined;
-      const numbers = side.fields.filter((field) => !solid || isOwn(field)).map((field) => [field, isLossName(field)
-        ? reader.number(keyOf(field, second), NaN, true) : reader.number(keyOf(field, second), without[field])] as const)
-        .filter(([, value]) => !Number.isNaN(value));
-      const body = solid ? madeOf(solid, without) : without;
+      const read = (fields: readonly BodyField[], otherwise: Body): Partial<Body> =>
+        Object.fromEntries(fields.map((field) => [field, reader.value(keyOf(field, second), field, otherwise)])
+          .filter(([, value]) => value !== undefined)) as Partial<Body>;
+      const own = read(side.fields.filter((field) => !solid || isOwn(field)), without);
       // A named material has its loss unless one is given.
-      const losses = solid && !numbers.some(([field]) => isLossName(field)) ? {} : { loss_time: 0, quality: 0 };
-      encounter = withBody(encounter, second, { ...body, ...losses, ...Object.fromEntries(numbers) as Body }, choice);
+      const losses = solid && !Object.keys(own).some(isLossName) ? {} : noLoss;
+      const body: Body = { ...(solid ? madeOf(solid, without) : without), ...losses, ...bareFace, ...own };
+      const coat = body.coat === 0 ? {}
+        : read(parametersOf(side.kind).map(({ name }) => name).filter(isOfCoat), { ...body, coat_young: softCoat(body) });
+      encounter = withBody(encounter, second, { ...body, ...coat }, choice);
     }
   };
   filled(false, usual);
   filled(true, si ? meetingOf(encounter).first.body : unitBody);
   return encounter;
-}
-
-/** Takes the values of an address by their keys; what is wrong with them goes to `problems`. */
-class Reader {
-  private readonly pairs = new Map<string, string>();
-
-  constructor(parts: readonly string[], between: string, private readonly problems: string[]) {
-    for (const part of parts) {
-      const at = part.indexOf(between);
-      const key = brief(at < 0 ? part : part.slice(0, at));
-      if (at < 0) problems.push(say('address.no_value', { key }));
-      else if (this.pairs.has(key)) problems.push(say('address.twice', { key }));
-      else this.pairs.set(key, decoded(part.slice(at + 1)));
-    }
-  }
-
-  private take(key: string): string | undefined {
-    const value = this.pairs.get(key);
-    this.pairs.delete(key);
-    return value;
-  }
-
-  word<Word extends string>(key: string, allowed: readonly [Word, ...Word[]]): Word {
-    const value = this.take(key) ?? allowed[0];
-    const found = allowed.find((item) => item === value);
-    if (found === undefined) this.problems.push(say('address.word', { key, got: brief(value), allowed: allowed.join(', ') }));
-    return found ?? allowed[0];
-  }
-
-  /** A body of a file, if the address names one that is open. */
-  file(key: string): object | undefined {
-    const name = this.take(key);
-    const file = name === undefined ? undefined : fileNamed(name);
-    if (name !== undefined && file === undefined) this.problems.push(say('address.open', { key, name: brief(name) }));
-    return file;
-  }
-
-  /** @param without what counts without the key @param optional whether a missing one is no problem */
-  number(key: string, without: number, optional = false): number {
-    const text = this.take(key);
-    const parsed = text === undefined ? { problem: say('address.no_number', { key }) } : parseNumber(key, text);
-    if ('value' in parsed) return parsed.value;
-    if (text !== undefined || !optional) this.problems.push(parsed.problem);
-    return without;
-  }
-
-  /** Complains of keys that nobody has asked for. */
-  finish(): void {
-    for (const key of this.pairs.keys()) {
-      this.problems.push(known.has(key) ? say('address.not_here', { key })
-        : say('address.unknown', { key, allowed: [...known].join(' ') }));
-    }
-  }
-}
-
-function decoded(text: string): string {
-  try {
-    return decodeURIComponent(text);
-  } catch {
-    return text;
-  }
 }

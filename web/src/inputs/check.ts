@@ -1,17 +1,18 @@
 // What was typed, checked: the core says what is wrong with a number, the page at which field.
-import { numberOf, requireMotion, requireSpeed, unitsOf } from '../core/local';
+import { numberOf, relaxationOf, requireMotion, requireSpeed, unitsOf } from '../core/local';
 import { CoreError, type Encounter, type Motion } from '../core/protocol';
-import { displayed, significant } from '../drawing/numbers';
+import { significant } from '../drawing/numbers';
 import { say } from '../drawing/words';
 import { ball, encounterOf, meetingOf, unitBody } from './document';
 import {
-  type Field, type PlacedField, fieldsOf, measureOf, ofSecond, owner, placedFieldsOf, shownOf, valueOf, withValue, wordsOf,
+  type Field, type PlacedField, type Value, fieldsOf, measureOf, ofSecond, owner, placedFieldsOf, shownOf, textOf, valueOf,
+  withValue, wordsOf,
 } from './fields';
 import { type Impact, type Inputs, defaults, isOblique, motionOf } from './inputs';
-import { sizeOf } from './kinds';
+import { type Relaxation, sizeOf } from './kinds';
 
-/** A number, or in one line what is wrong with the text. */
-export type Parsed = { value: number } | { problem: string };
+/** What a text stands for, or in one line what is wrong with it. */
+export type Parsed<Its = number> = { value: Its } | { problem: string };
 
 /** Read one decimal number, as in 0.33 or 1e-4; everything else gives a reason. */
 export function parseNumber(name: string, text: string): Parsed {
@@ -22,6 +23,20 @@ export function parseNumber(name: string, text: string): Parsed {
   let value = 0;
   const refused = refusal(() => (value = numberOf(name, typed) || 0)); // not −0
   return refused ? { problem: refused.message } : { value };
+}
+
+/** Read a relaxation as the command has it: 0.5:1+0.2:10; none of an empty text. */
+export function parseRelaxation(name: string, text: string): Parsed<Relaxation> {
+  let value: Relaxation = [];
+  const refused = text.trim() === '' ? undefined : refusal(() => (value = relaxationOf(name, text.trim())));
+  return refused ? { problem: refused.message } : { value };
+}
+
+/** Whether a text, which somebody types, stands for what a field has. */
+export function standsFor(text: string, field: Field, value: Value): boolean {
+  if (typeof value === 'number') return text.trim() !== '' && (Number(text) === value || text === textOf(value));
+  const parsed = parseRelaxation(field, text);
+  return 'value' in parsed && textOf(parsed.value) === textOf(value);
 }
 
 /** The beginning of what may be long. */
@@ -36,14 +51,15 @@ export function check(inputs: Inputs, texts: ReadonlyMap<Field, string>) {
   let next = inputs;
   for (const field of fieldsOf(inputs)) {
     const text = texts.get(field);
-    if (text === undefined || text === displayed(shownOf(inputs, field))) continue;
+    if (text === undefined || text === textOf(shownOf(inputs, field))) continue;
     const measure = measureOf(inputs, field);
-    const parsed = parseNumber(measure ? say(measure.words) : fullName(inputs.encounter, field), text);
+    const name = measure ? say(measure.words) : fullName(inputs.encounter, field);
+    const parsed: Parsed<Value> = owner(field)?.name === 'relaxation' ? parseRelaxation(name, text) : parseNumber(name, text);
     if ('problem' in parsed) {
       problems.set(field, parsed.problem);
       continue;
     }
-    const value = measure ? measure.meant(parsed.value) : parsed.value;
+    const value = measure ? measure.meant(parsed.value as number) : parsed.value;
     if (owner(field) === undefined) next = { ...next, [field]: value };
     else next = { ...next, encounter: withValue(next.encounter, field as PlacedField, value) };
   }

@@ -2,13 +2,13 @@
 import type { Encounter } from 'stoss';
 import { unitsOf } from '../core/local';
 import {
-  type Block, type BodyField, type BodyKind, type Kind, type Material, blockOf, blocks, fileKind,
-  isLossName, kindNamed, materialNamed, materials, parametersOf, sizeOf,
+  type Block, type BodyField, type BodyKind, type Kind, type Material, type NumberField, type Relaxation, bareFace,
+  blockOf, blocks, fileKind, isFaceName, isLossName, isOfCoat, kindNamed, materialNamed, materials, parametersOf, sizeOf,
 } from './kinds';
 
-/** Numbers of a body or a block, in SI or in units of the first body, which are all 1. What its kind does not have is
- *  not used. */
-export type Body = Readonly<Record<BodyField, number>>;
+/** What a body or a block is made of, in SI or in units of the first body, which are all 1. What its kind does not have
+ *  is not used. */
+export type Body = Readonly<Record<NumberField, number>> & { readonly relaxation: Relaxation };
 
 /** A body or a block as a document has it, of whatever kind. */
 export type Participant = Readonly<Partial<Body>> & {
@@ -54,9 +54,13 @@ export interface Meeting extends Choice {
   readonly second: Side | undefined;
 }
 
-/** A body that is its own unit and loses nothing. */
-export const unitBody: Body =
-  { poisson: 0.33, young: 1, density: 1, radius: 1, length: 1, area: 1, thickness: 1, loss_time: 0, quality: 0 };
+/** The losses of a body that has none. */
+export const noLoss = { loss_time: 0, quality: 0, relaxation: [] as Relaxation };
+
+/** A body that is its own unit, loses nothing and is smooth. */
+export const unitBody: Body = {
+  poisson: 0.33, young: 1, density: 1, radius: 1, length: 1, area: 1, thickness: 1, ...noLoss, ...bareFace,
+};
 
 /** What SI begins with: a ball of a bearing of 1 cm. */
 export const centimetre: Body = { ...unitBody, radius: 0.01, length: 0.01, area: 1e-4, thickness: 0.01 };
@@ -64,25 +68,34 @@ export const ball = madeOf(materialNamed('bearing steel'), centimetre);
 
 /** The body made of a material, of the same size. */
 export function madeOf<Sizes extends Partial<Body>>({ young, poisson, density, quality }: Material, body: Sizes) {
-  return { ...body, young, poisson, density, loss_time: 0, quality };
+  return { ...body, young, poisson, density, ...noLoss, quality };
 }
 
-/** Numbers by which a body or a block is given. In SI some of them are of a material. Without SI the first body has as
- *  its units what would have a default. */
-function fieldsOf(kind: Kind, si: boolean, second: boolean): BodyField[] {
-  return parametersOf(kind)
-    .filter((its) => si || second || its.otherwise === undefined || isLossName(its.name)).map(({ name }) => name);
+/** Whether it is something else than a body has unless it is given: a loss, or what makes a face rough or coated. */
+export function isUnusual(name: BodyField, body: Body): boolean {
+  if (name === 'relaxation') return body.relaxation.length > 0;
+  return body[name] !== (isLossName(name) ? 0 : (bareFace as Partial<Body>)[name]);
+}
+
+/** By what a body or a block is given. In SI some of it is of a material. Without SI the first body has as its units what
+ *  would have a default. What a coat is made of counts where there is one. */
+function fieldsOf(kind: Kind, si: boolean, second: boolean, { coat }: Pick<Body, 'coat'>): BodyField[] {
+  return parametersOf(kind).map(({ name, otherwise }) => ({ name, isUnit: otherwise !== undefined && !(si || second) }))
+    .filter(({ name, isUnit }) => (isOfCoat(name) ? coat !== 0 : isLossName(name) || isFaceName(name) || !isUnit))
+    .map(({ name }) => name);
 }
 
 /** A body or a block of these numbers; in SI of a material by its name, where they are those of one. */
 function participant(kind: Kind, body: Body, { si, plane }: Choice, second: boolean): Participant {
   const ofMaterial = kind.parameters.filter((each) => each.ofMaterial).map(({ name }) => name);
-  const own = fieldsOf(kind, si, second).filter((name) => !(si && ofMaterial.includes(name)));
-  const sizes = Object.fromEntries(own.filter((name) => !isLossName(name)).map((name) => [name, body[name]]));
-  const loss = body.quality === 0 ? { loss_time: body.loss_time } : { quality: body.quality };
+  const own = fieldsOf(kind, si, second, body).filter((name) => !(si && ofMaterial.includes(name)) && !isLossName(name) &&
+    !(isFaceName(name) && !isUnusual(name, body)));
+  const sizes = Object.fromEntries(own.map((name) => [name, body[name]]));
+  const { loss_time, quality, relaxation } = body;
+  const loss = relaxation.length > 0 ? { relaxation } : quality === 0 ? { loss_time } : { quality };
   if (!si) return { kind: kind.name, ...sizes, ...loss };
   const solid = materials.find((its) => ofMaterial.every((name) => its[name as keyof Material] === body[name]));
-  const known = solid?.quality === body.quality && body.loss_time === 0;
+  const known = solid?.quality === quality && loss_time === 0 && relaxation.length === 0;
   const { young, density } = body;
   const poisson = ofMaterial.includes('poisson') ? body.poisson : 0.3; // a rod does without
   return {
@@ -120,12 +133,12 @@ function standIn(file: object): Body {
 function sideOf(given: Participant, si: boolean, second: boolean): Side {
   const { kind: name, material, plane, body: file, ...own } = given;
   const kind = kindNamed(file ? 'sphere' : name);
-  const fields = file ? [] : fieldsOf(kind, si, second);
   const solid = typeof material === 'string' ? materialNamed(material) : undefined;
-  const losses = own.quality !== undefined ? { loss_time: 0 } : own.loss_time !== undefined ? { quality: 0 } : {};
+  const hasLoss = Object.keys(own).some(isLossName);
   const body = file ? standIn(file)
-    : { ...(si ? centimetre : unitBody), ...(solid ? madeOf(solid, {}) : material as Body), ...losses, ...own };
-  const its = own.loss_time === undefined && own.quality === undefined ? solid : undefined;
+    : { ...(si ? centimetre : unitBody), ...(solid ? madeOf(solid, {}) : material as Body), ...(hasLoss && noLoss), ...own };
+  const fields = file ? [] : fieldsOf(kind, si, second, body);
+  const its = hasLoss ? undefined : solid;
   return { kind, si, body, second, fields, strain: plane === 'strain', solid, material: its, file };
 }
 

@@ -1,13 +1,13 @@
-// The numbers a user types: which of them an encounter has, and in what unit they are shown.
+// What a user types: which numbers an encounter has, and in what unit they are shown.
 import type { Encounter, Motion } from '../core/protocol';
-import { rounded, unitInWords } from '../drawing/numbers';
+import { displayed, rounded, shortest, unitInWords } from '../drawing/numbers';
 import { type Word, say } from '../drawing/words';
 import { ranges } from '../generated/kinds';
-import { meetingOf, meetsBody, withBody } from './document';
+import { type Body, isUnusual, meetingOf, meetsBody, noLoss, withBody } from './document';
 import { type Impact, type Inputs, dropOf, isOblique, speedOf, takesFriction } from './inputs';
-import { type BodyField, blockOf, isLossName, kindNamed } from './kinds';
+import { type BodyField, type Relaxation, blockOf, isFaceName, isLossName, kindNamed } from './kinds';
 
-/** A number of the first body or of what it meets. */
+/** What is of the first body or of what it meets. */
 export type PlacedField = BodyField | `${BodyField}2`;
 
 /** One of them, or of how they meet. */
@@ -36,20 +36,21 @@ export function motionFieldsOf(inputs: Impact): (keyof Motion)[] {
 /** All that count; the materials of a real ball are named. */
 export function fieldsOf(inputs: Impact & Partial<Pick<Inputs, 'view'>>): Field[] {
   const placed = placedFieldsOf(inputs.encounter);
-  const asked = inputs.view === 'ball' ? placed.filter((field) => field in measures || isLoss(field)) : placed;
+  const asked = inputs.view === 'ball' ? placed.filter((field) => field in measures || isLossOrFace(field)) : placed;
   return [...asked, ...motionFieldsOf(inputs)];
 }
 
-/** Whether it is a loss, of whichever body. */
-export function isLoss(field: Field): boolean {
+/** Whether it is a loss or of a face, of whichever body. */
+export function isLossOrFace(field: Field): boolean {
   const place = owner(field);
-  return place !== undefined && isLossName(place.name);
+  return place !== undefined && (isLossName(place.name) || isFaceName(place.name));
 }
 
-/** Whether a loss was typed, in place of that of a named material. */
-export function hasOwnLoss(encounter: Encounter): boolean {
+/** Whether there is such a one, beside the loss of a named material. */
+export function hasLossOrFace(encounter: Encounter): boolean {
   const { first, second } = meetingOf(encounter);
-  return [first, second].some((side) => side && !side.material && side.fields.some((name) => isLossName(name) && side.body[name] !== 0));
+  return [first, second].some((side) => side?.fields.some((name) =>
+    (isFaceName(name) || (isLossName(name) && !side.material)) && isUnusual(name, side.body)));
 }
 
 /** What a class measures in place of a number of the core, in a unit of its own. */
@@ -70,10 +71,18 @@ export function measureOf({ view }: Inputs, field: Field): Measure | undefined {
   return view === 'ball' ? measures[field] : undefined;
 }
 
-/** The number that a field shows. */
-export function shownOf(inputs: Inputs, field: Field): number {
+/** What a field has: a number, or how a material relaxes. */
+export type Value = number | Relaxation;
+
+/** What a field shows. */
+export function shownOf(inputs: Inputs, field: Field): Value {
   const [measure, value] = [measureOf(inputs, field), valueOf(inputs, field)];
-  return measure ? rounded(measure.shown(value), 12) : value;
+  return measure ? rounded(measure.shown(value as number), 12) : value;
+}
+
+/** The text of it: short enough to be read there, or that of its very number. */
+export function textOf(value: Value, write: (number: number) => string = displayed): string {
+  return typeof value === 'number' ? write(value) : value.map((term) => term.map(shortest).join(':')).join('+');
 }
 
 export function ofSecond(field: BodyField): `${BodyField}2` {
@@ -87,28 +96,33 @@ export function owner(field: Field): { second: boolean; name: BodyField } | unde
   return { second, name: (second ? field.slice(0, -1) : field) as BodyField };
 }
 
-/** The number of a field in the inputs. */
-export function valueOf(inputs: Impact, field: Field): number {
+/** What the inputs have in a field. */
+export function valueOf(inputs: Impact, field: Field): Value {
   const place = owner(field);
   if (!place) return inputs[field as keyof Motion];
   const { first, second } = meetingOf(inputs.encounter);
   return (place.second ? second! : first).body[place.name];
 }
 
-/** The encounter with another number in one field of a body. A loss takes the place of another. */
-export function withValue(encounter: Encounter, field: PlacedField, value: number): Encounter {
+/** The encounter with something else in one field of a body. A loss takes the place of another, and a coat begins soft. */
+export function withValue(encounter: Encounter, field: PlacedField, value: Value): Encounter {
   const { second, name } = owner(field)!;
   const its = meetingOf(encounter);
   const { body } = second ? its.second! : its.first;
-  const losses = isLossName(name) && value !== 0 ? { loss_time: 0, quality: 0 } : {};
-  return withBody(encounter, second, { ...body, ...losses, [name]: value });
+  const next: Body = { ...body, [name]: value };
+  if (isLossName(name) && isUnusual(name, next)) return withBody(encounter, second, { ...body, ...noLoss, [name]: value });
+  const coat_young = name === 'coat' && next.coat_young === 0 ? softCoat(body) : next.coat_young;
+  return withBody(encounter, second, { ...next, coat_young });
 }
 
-/** A number of a body: its symbol, and its key in the address. */
+/** The modulus with which a coat begins: a hundredth of that of the body. */
+export const softCoat = ({ young }: Body): number => rounded(young / 100, 3);
+
+/** What a body is made of: its symbol, and its key in the address. */
 export const names: Record<BodyField, [symbol: string, key: string]> = {
   poisson: ['ν', 'nu'], young: ['E', 'E'], density: ['ρ', 'rho'], radius: ['R', 'R'], length: ['L', 'R'],
-  area: ['A', 'A'], thickness: ['h', 'h'], loss_time: ['η', 'eta'],
-  quality: ['Q', 'Q'],
+  area: ['A', 'A'], thickness: ['h', 'h'], loss_time: ['η', 'eta'], quality: ['Q', 'Q'], relaxation: ['E(t)', 'relax'],
+  roughness: ['h', 'rough'], coat: ['h', 'coat'], coat_young: ['E', 'Ec'], coat_poisson: ['ν', 'nuc'], coat_quality: ['Q', 'Qc'],
 };
 
 /** What the page says of a field. */
@@ -138,10 +152,11 @@ export function wordsOf(encounter: Encounter, field: Field): Words {
   const [symbol] = names[key];
   const name = say(si ? `field.${key}` : key === 'poisson' && hasPlane ? 'field.poisson_plane'
     : key === 'young' && second ? 'field.modulus' : `field.${key}`);
-  const ratio = second && !si && !['ν', 'η', 'Q'].includes(symbol);
+  const ratio = second && !si && key !== 'poisson' && !isLossOrFace(field);
+  const ownUnits: Record<string, string> = { s: `${length}/c`, m: length, Pa: 'E' };
   const ratioOf = parameters.some((each) => each.name === key) ? `${symbol}₂/${symbol}₁` : `${symbol}/${length}`;
   return {
     name, label: `${name} ${ratio ? ratioOf : symbol}`, help,
-    unit: si ? unitInWords(unit) : key === 'loss_time' ? `${length}/c` : '',
+    unit: si ? unitInWords(unit) : isLossOrFace(field) ? ownUnits[unit] ?? '' : '',
   };
 }

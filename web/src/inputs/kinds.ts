@@ -10,8 +10,13 @@ export type BodyKind = Extract<Row, { bounded: true; fromFile: false }>['name'];
 /** What has no end, by its name for a sphere. */
 export type Block = Extract<Row, { solid: true; bounded: false; hasPlane: false }>['name'];
 
-/** A number that makes a body or a block. */
+/** What makes a body or a block: a number, or how its material relaxes. */
 export type BodyField = Extract<Row, { solid: true }>['parameters'][number]['name'];
+export type NumberField = Exclude<BodyField, 'relaxation'>;
+type FaceField = Extract<NumberField, 'roughness' | `coat${string}`>;
+
+/** Shares of the modulus E(0) that relax, and their times. */
+export type Relaxation = readonly (readonly [share: number, time: number])[];
 
 export interface Parameter {
   readonly name: BodyField;
@@ -65,25 +70,33 @@ export function blockOf(kind: BodyKind, against: string): Kind | undefined {
   return isBlock(against) ? blocksOf(kind)[blocks.indexOf(against)] : undefined;
 }
 
-/** Whether a number is the loss of a material. A body has one of them at most: the others are 0. */
-export const isLossName = (name: BodyField): boolean => name === 'loss_time' || name === 'quality';
+/** Whether it is the loss of a material. A body has one of them at most. */
+export const isLossName = (name: string): boolean => ['loss_time', 'quality', 'relaxation'].includes(name);
 
-/** Numbers of a kind, in the order of the page: the material, the size, the loss. */
+/** Whether it says how rough a face is, or with what it is coated; and whether it counts only of one that is. */
+export const isFaceName = (name: string): boolean => name === 'roughness' || name.startsWith('coat');
+export const isOfCoat = (name: string): boolean => name.startsWith('coat_');
+
+/** What a kind is made of, in the order of the page: the material, the size, the loss, the face. */
 export function parametersOf(kind: Kind): Parameter[] {
   const rank = ({ ofMaterial, name }: Parameter): number =>
-    (name === 'poisson' ? 0 : ofMaterial ? 1 : isLossName(name) ? 3 : 2);
+    (name === 'poisson' ? 0 : ofMaterial ? 1 : isLossName(name) ? 3 : isFaceName(name) ? 4 : 2);
   return [...kind.parameters].sort((a, b) => rank(a) - rank(b));
 }
 
 /** The name of the size of a body: radius, or length. */
-export function sizeOf(kind: string): BodyField {
+export function sizeOf(kind: string): NumberField {
   return lengthOf(kindNamed(kind))!;
 }
 
 /** The name of the size of a body or a block; undefined of what has none. */
-export function lengthOf({ parameters }: Kind): BodyField | undefined {
-  return parameters.find(({ unit }) => unit === 'm')?.name;
+export function lengthOf({ parameters }: Kind): NumberField | undefined {
+  return parameters.find(({ unit, name }) => unit === 'm' && !isFaceName(name))?.name as NumberField | undefined;
 }
+
+/** The smooth face without a coat, which every body has unless another is given. */
+export const bareFace = Object.fromEntries(kindNamed('sphere').parameters.filter(({ name }) => isFaceName(name))
+  .map(({ name, otherwise }) => [name, otherwise])) as Record<FaceField, number>;
 
 export type Material = NamedMaterial;
 

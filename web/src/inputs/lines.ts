@@ -3,11 +3,11 @@ import { unitsOf } from '../core/local';
 import type { CurvePoint, Encounter, Motion } from '../core/protocol';
 import { prefixFor, shortest, significant } from '../drawing/numbers';
 import { say } from '../drawing/words';
-import { type Side, meetingOf } from './document';
-import { names } from './fields';
+import { type Side, isUnusual, meetingOf } from './document';
+import { names, textOf } from './fields';
 import { nameOf, titleOf } from './files';
 import { type Inputs, dropOf, motionOf, speedOf } from './inputs';
-import { lengthOf } from './kinds';
+import { isFaceName, isLossName, lengthOf } from './kinds';
 
 // The build takes it from CMakeLists.txt.
 declare const STOSS_VERSION: string;
@@ -32,12 +32,17 @@ function inWords({ kind, si, body, second, fields, material, strain, file }: Sid
     ...(material ? [`${material.name} ${kind.name}`] : [kind.name]),
     ...(!material && fields.includes('poisson') ? [`ν ${significant(body.poisson, 4)}`] : []),
     ...(!material && (si || second) ? [`E ${withPrefix(body.young, si ? 'Pa' : '')}`] : []),
-    ...(size ? [`${names[size][0]} ${si ? withPrefix(body[size], 'm') : significant(body[size], 3)}`] : []),
+    ...(size ? [`${names[size][0]} ${inUnit(body[size], si)}`] : []),
     ...(!material && body.loss_time !== 0 ? [`η ${significant(body.loss_time, 3)}`] : []),
     ...(!material && body.quality !== 0 ? [`Q ${significant(body.quality, 3)}`] : []),
+    ...(body.relaxation.length > 0 ? [`E(t) ${textOf(body.relaxation)}`] : []),
+    ...(body.roughness !== 0 ? [say('encounter.rough', { height: inUnit(body.roughness, si) })] : []),
+    ...(body.coat !== 0 ? [say('encounter.coat', { thickness: inUnit(body.coat, si) })] : []),
     ...(strain && !second ? [say('encounter.strain')] : []),
   ].join(' ');
 }
+
+const inUnit = (length: number, si: boolean): string => (si ? withPrefix(length, 'm') : significant(length, 3));
 
 function withPrefix(value: number, unit: string): string {
   const prefix = prefixFor(value, unit);
@@ -47,11 +52,13 @@ function withPrefix(value: number, unit: string): string {
 /** Numbers of a side by their names, of what it is made apart from all others; none of a named material. */
 function numbersOf({ si, kind, body, fields, solid, material }: Side): Record<'made' | 'other', [string, string][]> {
   const made = kind.parameters.filter(({ ofMaterial }) => ofMaterial).map(({ name }) => name);
+  // In SI a body of a named material that loses nothing has to say so.
+  const lossless = si && !isUnusual('quality', body) && !isUnusual('relaxation', body);
   const given = fields.filter((name) =>
-    (name === 'loss_time' ? !material && body.quality === 0 && (si || body[name] !== 0)
-      : name === 'quality' ? !material && body[name] !== 0 : !solid || !made.includes(name)));
+    (isLossName(name) ? !material && (isUnusual(name, body) || (name === 'loss_time' && lossless))
+      : isFaceName(name) ? isUnusual(name, body) : !solid || !made.includes(name)));
   const pairs = (wanted: boolean): [string, string][] =>
-    given.filter((name) => made.includes(name) === wanted).map((name) => [name, shortest(body[name])]);
+    given.filter((name) => made.includes(name) === wanted).map((name) => [name, textOf(body[name], shortest)]);
   return { made: pairs(true), other: pairs(false) };
 }
 
@@ -123,10 +130,12 @@ export function pythonLines(inputs: Inputs): string {
 }
 
 function call(side: Side): string {
-  const { si, kind, body: { young, poisson, density }, solid, strain, file } = side;
+  const { si, kind, body: { young, poisson, density, relaxation }, solid, strain, file } = side;
   if (file) return `stoss.ModalBody.read("${nameOf(file)}")`;
   const { made, other } = numbersOf(side);
-  const args = (pairs: [string, string | number][]): string[] => pairs.map((pair) => pair.join('='));
+  const terms = relaxation.map((term) => `(${term.map(shortest).join(', ')})`).join(', ');
+  const args = (pairs: [string, string][]): string[] =>
+    pairs.map(([name, value]) => `${name}=${name === 'relaxation' ? `[${terms}]` : value}`);
   const own = args(Object.entries({ young, poisson, density }).map(([name, value]) => [name, shortest(value)]));
   const material = solid ? `stoss.materials["${solid.name}"]` : `stoss.Material(${own.join(', ')})`;
   const name = kind.name.replace(/(^|-)(\w)/g, (_, __, letter: string) => letter.toUpperCase());

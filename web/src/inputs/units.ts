@@ -6,17 +6,27 @@ import type { Elastic, Encounter } from '../core/protocol';
 import { rounded, shortest } from '../drawing/numbers';
 import { type Body, type Choice, ball, encounterOf, meetingOf } from './document';
 import { type Inputs, type View, dropOf, siSpeed, speedOf } from './inputs';
-import { type BodyField, blockOf, isBlock, lengthOf, sizeOf } from './kinds';
+import { type NumberField, blockOf, isBlock, isFaceName, lengthOf, sizeOf } from './kinds';
 
 /** c of the first body: 1 without SI, else m/s. */
 export function barSpeed(encounter: Encounter): number {
   return unitsOf(encounter).speed;
 }
 
-/** The numbers of a body changed by a function, to six digits, so that a field stays readable. */
-function changed(body: Body, change: (value: number, name: BodyField) => number): Body {
-  return Object.fromEntries(Object.entries(body).map(([name, value]) =>
-    [name, rounded(change(value, name as BodyField), 6)])) as Body;
+/** The numbers of a body changed by a function, and the times of its relaxation by a factor, to six digits, so that a field
+ *  stays readable. */
+function changed({ relaxation, ...numbers }: Body, change: (value: number, name: NumberField) => number, time: number): Body {
+  return {
+    ...Object.fromEntries(Object.entries(numbers).map(([name, value]) =>
+      [name, rounded(change(value, name as NumberField), 6)])) as Omit<Body, 'relaxation'>,
+    relaxation: relaxation.map(([share, each]) => [share, rounded(each * time, 6)]),
+  };
+}
+
+/** The unit of what is of a face; undefined of all else. */
+function unitOfFace(name: NumberField, length: number, modulus: number): number | undefined {
+  if (!isFaceName(name)) return undefined;
+  return name === 'coat_young' ? modulus : ['roughness', 'coat'].includes(name) ? length : 1;
 }
 
 /** The same impact in units of the first body: ε stays what it is. */
@@ -28,8 +38,11 @@ export function withoutSi(inputs: Inputs): Inputs {
   const block = blockOf(choice.kind, choice.against);
   const thickness = block && lengthOf(block);
   const ratios = (body: Body, { young, poisson = body.poisson }: Elastic): Body => {
-    const own: Partial<Body> = { young, poisson, loss_time: body.loss_time / units.time, quality: body.quality };
-    return changed(body, (value, name) => own[name] ?? value / first.body[name === thickness ? sizeOf(choice.kind) : name]);
+    const size = first.body[sizeOf(choice.kind)];
+    const own: Partial<Record<NumberField, number>> = { young, poisson, loss_time: body.loss_time / units.time, quality: body.quality };
+    const unitOf = (name: NumberField): number =>
+      unitOfFace(name, size, units.modulus!) ?? (name === thickness ? size : first.body[name]);
+    return changed(body, (value, name) => own[name] ?? value / unitOf(name), 1 / units.time);
   };
   return {
     ...inputs,
@@ -57,11 +70,12 @@ export function withSi(inputs: Inputs): Inputs {
   const { first: _, second, ...choice } = meetingOf(inputs.encounter);
   if (choice.si) return inputs;
   const si: Choice = { ...choice, si: true, plane: 'stress' };
-  const { poisson, loss_time, quality } = ball;
-  const { time } = unitsOf(encounterOf({ ...si, against: 'wall' }, ball));
+  const { poisson, loss_time, quality, relaxation } = ball;
+  const { time, modulus } = unitsOf(encounterOf({ ...si, against: 'wall' }, ball));
+  const unitOf = (name: NumberField): number => unitOfFace(name, ball[sizeOf(choice.kind)], modulus!) ?? ball[name];
   const inSi = (body: Body): Body => ({
-    ...changed(body, (value, name) => (name === 'quality' ? value : value * ball[name])),
-    ...(body.young === 1 && body.density === 1 ? { poisson, loss_time, quality }
+    ...changed(body, (value, name) => (name === 'quality' ? value : value * unitOf(name)), time),
+    ...(body.young === 1 && body.density === 1 ? { poisson, loss_time, quality, relaxation }
       : { poisson: Math.min(body.poisson, poisson), loss_time: rounded(body.loss_time * time, 6) }),
   });
   const [spin, second_spin] = [inputs.spin, inputs.second_spin].map((each) => rounded(each / time, 6)) as [number, number];

@@ -1,75 +1,20 @@
 // The form: it shows the inputs, and tells what the user makes of them.
-import { html, nothing, render } from 'lit-html';
-import { repeat } from 'lit-html/directives/repeat.js';
+import { html, render } from 'lit-html';
 import { find, optionsOf } from '../drawing/dom';
-import { displayed, significant, withUnit } from '../drawing/numbers';
+import { significant, withUnit } from '../drawing/numbers';
 import { check, refusal } from '../inputs/check';
 import { say } from '../drawing/words';
 import { type Choice, encounterOf, madeOf, meetingOf, withBody } from '../inputs/document';
-import { type Field, fieldsOf, hasOwnLoss, isLoss, measureOf, owner, shownOf, wordsOf } from '../inputs/fields';
+import { type Field, fieldsOf, hasLossOrFace } from '../inputs/fields';
 import { openFile, titleOf, withFile } from '../inputs/files';
 import {
-  type Inputs, type View, dropOf, isBall, presetOf, presets, withAgainst, withKind, withPreset,
+  type Inputs, dropOf, isBall, presetOf, presets, withAgainst, withKind, withPreset,
 } from '../inputs/inputs';
 import { type BodyKind, blockOf, blocks, bodyKinds, fileKind, kindNamed, materials, sizeOf } from '../inputs/kinds';
 import { description } from '../inputs/lines';
 import { barSpeed, placeOf, speedAt, steps, withoutSi, withSi } from '../inputs/units';
+import { showFields, showNumbers, textOf } from './form_fields';
 import { createTabs, showView } from './tabs';
-
-const homes = ['first-fields', 'second-fields', 'speed-field', 'motion-fields', 'more-fields'] as const;
-
-function homeOf(field: Field, view: View): (typeof homes)[number] {
-  const place = owner(field);
-  if (isLoss(field) || (view === 'ball' && field !== 'speed' && !place)) return 'more-fields';
-  if (place === undefined) return field === 'speed' ? 'speed-field' : 'motion-fields';
-  return place.second ? 'second-fields' : 'first-fields';
-}
-
-function inputOf(field: Field): HTMLInputElement {
-  return find(`field-${field}`, HTMLInputElement);
-}
-
-/** The text of a field that is shown. */
-export function textOf(field: Field): string {
-  return inputOf(field).value;
-}
-
-/** Show the fields of inputs with what is wrong: screen readers hear the unit and the problem with a field. */
-export function showFields(inputs: Inputs, problems: ReadonlyMap<Field, string>): void {
-  const { encounter } = inputs;
-  const rowOf = (field: Field): unknown => {
-    const measure = measureOf(inputs, field);
-    const words = wordsOf(encounter, field);
-    const { help } = words;
-    const [named, unit] = measure ? [say(measure.words), measure.unit] : [words.label, words.unit];
-    const spoken = owner(field)?.second ? say('form.of_second', { label: named }) : named;
-    const label = homeOf(field, inputs.view) === 'more-fields' ? spoken : named;
-    const [id, problem] = [`field-${field}`, problems.get(field) ?? ''];
-    return html`
-      <div class="field" title=${help}>
-        <label for=${id}>${label}</label>
-        <input id=${id} type="text" inputmode="decimal" autocomplete="off" spellcheck="false" data-field=${field}
-          aria-describedby="${id}-unit ${id}-problem" aria-invalid=${problem === '' ? nothing : 'true'}
-          aria-label=${spoken === label ? nothing : spoken} />
-        <span id="${id}-unit" class="unit">${unit}</span>
-        <p id="${id}-problem" class="problem" ?hidden=${problem === ''}>${problem}</p>
-      </div>`;
-  };
-  for (const home of homes) {
-    const fields = fieldsOf(inputs).filter((field) => homeOf(field, inputs.view) === home);
-    render(repeat(fields, (field) => field, rowOf), find(home, HTMLElement));
-  }
-}
-
-/** Bring the numbers up to date; one just being typed stays as it is. */
-export function showNumbers(inputs: Inputs): void {
-  for (const field of fieldsOf(inputs)) {
-    const value = shownOf(inputs, field);
-    const input = inputOf(field);
-    const typed = input.value.trim() !== '' && (Number(input.value) === value || input.value === displayed(value));
-    if (!typed) input.value = displayed(value);
-  }
-}
 
 /** What the form reports: inputs that hold, while a drag or typing goes on or at its end; or that some are wrong. */
 export interface Listener {
@@ -115,7 +60,7 @@ export function createControls(initial: Inputs, listener: Listener) {
     choose('plane', plane);
     simple.checked = inputs.view === 'simple';
     showView(inputs.view);
-    if ((asBall && inputs.friction !== 0) || hasOwnLoss(encounter)) find('more', HTMLDetailsElement).open = true;
+    if ((asBall && inputs.friction !== 0) || hasLossOrFace(encounter)) find('more', HTMLDetailsElement).open = true;
     find('plane-row', HTMLElement).hidden = !(si && kindNamed(kind).hasPlane);
     find('material-row', HTMLElement).hidden = !si || file !== undefined;
     find('material2-row', HTMLElement).hidden = !si || second === undefined || file2 !== undefined;

@@ -94,13 +94,14 @@ export function createScene(host: HTMLElement, core: Core, cursor: (time: number
   const player = createPlayer(host, say('film.name'), cursor, () => (oblique ? nothing : colors()));
 
   function film(show: Show): Film {
-    const { from, to, collision, secondAtRest } = show;
-    const still = secondAtRest ? say('film.at_rest') : '';
+    const { from, to, collision, secondAtRest, meeting } = show;
+    const coated = [meeting.first, meeting.second].some((side) => side && side.body.coat !== 0);
+    const more = (secondAtRest ? say('film.at_rest') : '') + (coated ? say('film.coat') : '');
     return {
       from, to, still: 0.5 * (collision.begin + collision.end),
       describe: (time) => describe(collision, time),
       said: (time) => `${timeInWords(collision, time)}, ${say(`phase.${phaseAt(collision, time)}`)}`,
-      note: (seconds) => slowness(to - from, collision.units.time, seconds) + still,
+      note: (seconds) => slowness(to - from, collision.units.time, seconds) + more,
       height: (width) => pictureHeight(show, width),
       draw(canvas, width, density, time, theme): void {
         const frame = frameAt(show.frames, time);

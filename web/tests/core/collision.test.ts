@@ -30,7 +30,7 @@ function trajectory(encounter: Encounter, speed: number, cutoff: number): Record
 }
 
 describe.skipIf(!hasCommand)('a collision', { timeout: 60_000 }, () => {
-  it.each(chosen)('is the impact of the command: case %i', (index) => {
+  it.each([...chosen, 18, 19])('is the impact of the command: case %i', (index) => {
     const { encounter, speed } = cases[index]!;
     const { si } = meetingOf(encounter);
     const cutoff = cutoffOf(encounter, speed);

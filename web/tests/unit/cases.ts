@@ -17,8 +17,9 @@ const disk = defaults.encounter;
 const sphere = like(disk, { kind: 'sphere', first: ratios({ poisson: 0.3 }) });
 const rod = like(disk, { kind: 'rod' });
 const ball = made('bearing steel', 0.005);
-const own: Body =
-  { poisson: 0.25, young: 1.5e11, density: 5000, radius: 0.004, length: 0.004, area: 2e-4, thickness: 0.03, loss_time: 1e-9, quality: 0 };
+const own: Body = {
+  ...unitBody, poisson: 0.25, young: 1.5e11, density: 5000, radius: 0.004, length: 0.004, area: 2e-4, thickness: 0.03, loss_time: 1e-9,
+};
 
 const of = (encounter: Encounter, speed: number, kept: Encounter[] = []): Inputs =>
   ({ ...defaults, encounter, speed, kept });
@@ -42,6 +43,14 @@ export const cases: readonly Inputs[] = [
   of(like(sphere, { si: true, first: ball, against: 'plate', second: { ...made('glass', 1), thickness: 0.01 } }), 1),
   of(like(sphere, { first: ratios({ poisson: 0.3, quality: 30 }), against: 'half-space', second: ratios({ young: 0.5, loss_time: 0.02 }) }), 0.01),
   of(like(sphere, { si: true, first: { ...ball, quality: 50 }, against: 'half-space', second: { ...own, loss_time: 0, quality: 12 } }), 1),
+  of(like(sphere, {
+    first: ratios({ poisson: 0.3, relaxation: [[0.5, 1], [0.2, 10]], roughness: 0.002 }), against: 'half-space',
+    second: ratios({ young: 0.5, coat: 0.001, coat_young: 0.02, coat_poisson: 0.4, coat_quality: 10 }),
+  }), 0.01),
+  of(like(sphere, {
+    si: true, first: { ...ball, roughness: 2.4e-8 }, against: 'plate',
+    second: { ...made('glass', 1), thickness: 0.01, roughness: 1e-7, coat: 1e-6, coat_young: 2e9 },
+  }), 1),
 ];
 
 /** Collisions with friction. */

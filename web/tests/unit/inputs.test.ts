@@ -141,8 +141,7 @@ describe('a change of units', () => {
       const round = withoutSi(withSi(plain));
       for (const field of fieldsOf(plain)) {
         if (!['radius2', 'young2', 'density2', 'area2', 'thickness2'].includes(field)) continue;
-        const before = valueOf(plain, field);
-        const after = valueOf(round, field);
+        const [before, after] = [plain, round].map((each) => valueOf(each, field)) as [number, number];
         expect(Math.abs(after - before), field).toBeLessThanOrEqual(1e-4 * Math.abs(before));
       }
     }
@@ -164,7 +163,7 @@ describe('friction', () => {
   const fields = (inputs: Inputs): Field[] => fieldsOf(inputs).slice(-5);
   it('brings what is along the surface, and rods have none', () => {
     expect(fieldsOf(defaults).slice(-2)).toEqual(['speed', 'friction']);
-    expect(fields({ ...defaults, friction: 0.3 })).toEqual(['quality', 'speed', 'friction', 'angle', 'spin']);
+    expect(fields({ ...defaults, friction: 0.3 })).toEqual(['coat', 'speed', 'friction', 'angle', 'spin']);
     const pair = { ...defaults, encounter: withAgainst(defaults.encounter, 'same'), friction: 0.3, second_spin: 1 };
     expect(fields(pair)).toEqual(['speed', 'friction', 'angle', 'spin', 'second_spin']);
     expect(motionOf(pair).second_spin).toBe(1);

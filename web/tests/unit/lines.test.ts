@@ -30,7 +30,7 @@ describe('the command line', () => {
   it('names materials, as one word of a shell', () => {
     expect(lines[10]).toBe("stoss restitution --body sphere --material 'bearing steel' --radius 0.005 " +
       '--against half-space,material=glass --speed 1');
-    for (const line of lines) expect(line).toMatch(/^([a-zA-Z0-9 .,=_-]|'[a-zA-Z0-9 .,=_-]+')+$/);
+    for (const line of lines) expect(line).toMatch(/^([a-zA-Z0-9 .,:+=_-]|'[a-zA-Z0-9 .,=_-]+')+$/);
   });
 });
 
