@@ -13,6 +13,7 @@ using StrainMatrix = Eigen::Matrix<double, 4, 8>;
 
 struct Sample {
   StrainMatrix strain;
+  Eigen::Vector4d shapes;
   Eigen::Vector2d place;
   double volume;
 };
@@ -43,7 +44,7 @@ Sample sample(const std::array<Eigen::Vector2d, 4>& corners, double x, double y)
     strain(3, 2 * k) = gradients(1, k);
     strain(3, 2 * k + 1) = gradients(0, k);
   }
-  return {strain, place, 2.0 * std::numbers::pi * place[0] * jacobian.determinant()};
+  return {strain, shapes, place, 2.0 * std::numbers::pi * place[0] * jacobian.determinant()};
 }
 
 }  // namespace
@@ -51,6 +52,7 @@ Sample sample(const std::array<Eigen::Vector2d, 4>& corners, double x, double y)
 Body::Body(Mesh mesh, const Material& material, std::vector<Freedom> freedoms)
     : mesh_(std::move(mesh)), material_(material), freedoms_(std::move(freedoms)) {
   for (const Freedom& freedom : freedoms_) size_ = std::max(size_, freedom.unknown + 1);
+  volumes_ = Eigen::VectorXd::Zero(size_);
   prepare();
   prepare_pattern();
   kept_ = now_ = forces_ = Eigen::VectorXd::Zero(size_);
@@ -74,6 +76,10 @@ void Body::prepare() {
       samples[p] = sample(corners, p % 2 ? gauss : -gauss, p / 2 ? gauss : -gauss);
       mean += samples[p].volume * samples[p].strain.topRows<3>().colwise().sum();
       volume += samples[p].volume;
+      for (std::size_t i = 0; i < 8; ++i)
+        if (const Freedom& each = freedoms[i]; each.unknown >= 0)
+          volumes_[each.unknown] +=
+              each.factor * each.factor * samples[p].volume * samples[p].shapes[static_cast<int>(i / 2)];
     }
     mean /= volume;
     for (Sample& each : samples) {
@@ -122,14 +128,12 @@ void Body::assemble(const Eigen::VectorXd& unknowns) {
   const Stiffness elastic = material_.stiffness();
   for (std::size_t e = 0; e < of_elements_.size(); ++e) {
     const auto& freedoms = of_elements_[e];
-    Eigen::Matrix<double, 8, 1> step;
-    for (std::size_t i = 0; i < 8; ++i)
-      step[static_cast<int>(i)] = freedoms[i].unknown < 0 ? 0.0 : freedoms[i].factor * change[freedoms[i].unknown];
+    const Eigen::Matrix<double, 8, 1> step = of_element(e, change);
     Eigen::Matrix<double, 8, 8> stiffness = Eigen::Matrix<double, 8, 8>::Zero();
     Eigen::Matrix<double, 8, 1> force = Eigen::Matrix<double, 8, 1>::Zero();
     for (std::size_t p = 4 * e; p < 4 * e + 4; ++p) {
       Point& point = points_[p];
-      const Returned returned = radial_return(material_, point.kept + elastic * (point.strain * step));
+      const Returned returned = radial_return(material_, point.kept + elastic * (point.strain * step), point.slip);
       point.now = returned.stress;
       point.slip_now = point.slip + returned.slip;
       force.noalias() += point.volume * (point.strain.transpose() * returned.stress);
@@ -151,6 +155,40 @@ void Body::assemble(const Eigen::VectorXd& unknowns) {
   }
 }
 
+Eigen::Matrix<double, 8, 1> Body::of_element(std::size_t element, const Eigen::VectorXd& unknowns) const {
+  Eigen::Matrix<double, 8, 1> values;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Freedom& each = of_elements_[element][i];
+    values[static_cast<int>(i)] = each.unknown < 0 ? 0.0 : each.factor * unknowns[each.unknown];
+  }
+  return values;
+}
+
+void Body::follow(const Eigen::VectorXd& unknowns) {
+  now_ = unknowns - kept_;
+  forces_.setZero();
+  const Stiffness elastic = material_.stiffness();
+  for (std::size_t e = 0; e < of_elements_.size(); ++e) {
+    const Eigen::Matrix<double, 8, 1> step = of_element(e, now_);
+    Eigen::Matrix<double, 8, 1> force = Eigen::Matrix<double, 8, 1>::Zero();
+    for (std::size_t p = 4 * e; p < 4 * e + 4; ++p) {
+      Point& point = points_[p];
+      point.kept += elastic * (point.strain * step);
+      if (mises(point.kept) > material_.strength + material_.hardening * point.slip) {
+        const Returned returned = radial_return(material_, point.kept, point.slip);
+        point.kept = returned.stress;
+        point.slip += returned.slip;
+      }
+      force.noalias() += point.volume * (point.strain.transpose() * point.kept);
+    }
+    for (std::size_t i = 0; i < 8; ++i)
+      if (const Freedom& each = of_elements_[e][i]; each.unknown >= 0)
+        forces_[each.unknown] += each.factor * force[static_cast<int>(i)];
+  }
+  for (const auto& [unknown, k] : springs_) forces_[unknown] += k * unknowns[unknown];
+  kept_ = unknowns;
+}
+
 void Body::keep() {
   kept_ = now_;
   for (Point& point : points_) {
@@ -163,7 +201,8 @@ Energies Body::energies() const {
   Energies energies{0.0, 0.0};
   for (const Point& point : points_) {
     energies.stored += point.volume * elastic_energy(material_, point.kept);
-    if (point.slip > 0.0) energies.dissipated += point.volume * material_.strength * point.slip;
+    if (point.slip > 0.0)
+      energies.dissipated += point.volume * (material_.strength + 0.5 * material_.hardening * point.slip) * point.slip;
   }
   for (const auto& [unknown, k] : springs_) energies.stored += 0.5 * k * kept_[unknown] * kept_[unknown];
   return energies;

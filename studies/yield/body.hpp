@@ -20,7 +20,7 @@ struct Mesh {
   std::vector<std::array<int, 4>> elements;  ///< corners, counter-clockwise in the (r, z) plane
 };
 
-/// Energies since the start; lengths³ times stresses.
+/// Energies since the start, lengths³ times stresses. What hardening keeps counts as dissipated.
 struct Energies {
   double stored, dissipated;
 };
@@ -39,6 +39,8 @@ class Body {
   void assemble(const Eigen::VectorXd& unknowns);
   /// Keeps the state that was assembled last.
   void keep();
+  /// Goes on to these unknowns: keeps the state, and has the internal forces, but not the tangent.
+  void follow(const Eigen::VectorXd& unknowns);
 
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
@@ -49,6 +51,8 @@ class Body {
   /// Lower triangle of the tangent.
   [[nodiscard]] Eigen::SparseMatrix<double>& tangent() { return tangent_; }
   [[nodiscard]] Energies energies() const;
+  /// The volume by unknown, ∫N dV of its shape function: the mass, lumped, at a density of 1.
+  [[nodiscard]] const Eigen::VectorXd& volumes() const { return volumes_; }
   /// The kept stress at a Gauss point, 0 to 3, of an element, and the sum of the plastic strain there.
   [[nodiscard]] const Stress& stress(int element, int point) const { return point_(element, point).kept; }
   [[nodiscard]] double slip(int element, int point) const { return point_(element, point).slip; }
@@ -69,6 +73,7 @@ class Body {
   }
   void prepare();
   void prepare_pattern();
+  [[nodiscard]] Eigen::Matrix<double, 8, 1> of_element(std::size_t element, const Eigen::VectorXd& unknowns) const;
 
   Mesh mesh_;
   Material material_;
@@ -79,7 +84,7 @@ class Body {
   std::vector<std::array<int, 64>> places_;  ///< where in the tangent's values an element's stiffness goes, or -1
   std::vector<std::pair<int, double>> springs_;
   Eigen::SparseMatrix<double> tangent_;
-  Eigen::VectorXd kept_, now_, forces_;
+  Eigen::VectorXd kept_, now_, forces_, volumes_;
 };
 
 }  // namespace yield_study

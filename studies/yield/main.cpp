@@ -1,8 +1,9 @@
-// Loads and unloads an elastic, perfectly plastic half-space by a rigid paraboloid:
-//   stoss_yield POISSON DEPTH ELEMENTS STEPS SIZE
+// Loads and unloads an elastic-plastic half-space by a rigid paraboloid:
+//   stoss_yield POISSON DEPTH ELEMENTS STEPS SIZE [HARDENING]
 // DEPTH is the largest depth over that at the onset of yield, ELEMENTS the number of elements along the estimated
-// radius of contact, STEPS those of the loading and of the unloading, SIZE the domain over that radius. Lengths are in
-// the radius of contact at onset, which with R = 1 and E* = 1 is also 1: the depth at onset is 1, the force 4/3.
+// radius of contact, STEPS those of the loading and of the unloading, SIZE the domain over that radius, HARDENING H/E
+// (0: perfectly plastic). Lengths are in the radius of contact at onset, which with R = 1 and E* = 1 is also 1: the
+// depth at onset is 1, the force 4/3.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -40,14 +41,14 @@ double estimated_radius(double depth) {
   return std::sqrt(depth * (1.0 + std::min(1.4, 0.3 * std::log(std::max(depth, 1.0)))));
 }
 
-void run(double poisson, double deepest, int elements, int steps, double size) {
+void run(double poisson, double deepest, int elements, int steps, double size, double hardening) {
   const double young = 1.0 - poisson * poisson, pressure = 2.0 / std::numbers::pi;
-  const Material material{young, poisson, pressure / onset_pressure(poisson)};
+  const Material material{young, poisson, pressure / onset_pressure(poisson), hardening * young};
   const double radius = estimated_radius(deepest), element = radius / elements;
   const Grid grid{element * std::ceil(1.25 * elements), element, 1.0 + 3.6 / elements, size * radius};
   Indentation indentation(half_space(material, grid), 1.0);
-  fmt::print("# nu {:g} depth {:g} elements {} steps {} size {:g} unknowns {} onset {:.6f}\n", poisson, deepest,
-             elements, steps, size, indentation.body().size(), onset_pressure(poisson));
+  fmt::print("# nu {:g} depth {:g} elements {} steps {} size {:g} unknowns {} onset {:.6f} hardening {:g}\n", poisson,
+             deepest, elements, steps, size, indentation.body().size(), onset_pressure(poisson), hardening);
   fmt::print("branch,d,f,a,nodes,iterations,work,stored,dissipated\n");
   Works works;
   Reading reading{};
@@ -73,12 +74,15 @@ void run(double poisson, double deepest, int elements, int steps, double size) {
 }  // namespace
 
 int main(int count, char** words) {
-  if (count != 6) {
-    fmt::print(stderr, "stoss_yield: got {} arguments, allowed 5: POISSON DEPTH ELEMENTS STEPS SIZE\n", count - 1);
+  if (count != 6 && count != 7) {
+    fmt::print(stderr,
+               "stoss_yield: got {} arguments, allowed 5 and 6: POISSON DEPTH ELEMENTS STEPS SIZE [HARDENING]\n",
+               count - 1);
     return 2;
   }
   try {
-    run(std::atof(words[1]), std::atof(words[2]), std::atoi(words[3]), std::atoi(words[4]), std::atof(words[5]));
+    run(std::atof(words[1]), std::atof(words[2]), std::atoi(words[3]), std::atoi(words[4]), std::atof(words[5]),
+        count == 7 ? std::atof(words[6]) : 0.0);
   } catch (const std::exception& error) {
     fmt::print(stderr, "stoss_yield: {}\n", error.what());
     return 1;

@@ -33,15 +33,17 @@ double elastic_energy(const Material& material, const Stress& stress) {
   return 0.5 * mean * mean / material.bulk() + 0.25 * shear * shear / material.shear();
 }
 
-Returned radial_return(const Material& material, const Stress& trial) {
-  const double equivalent = mises(trial);
-  if (equivalent <= material.strength) return {trial, material.stiffness(), 0.0};
+Returned radial_return(const Material& material, const Stress& trial, double slip) {
+  const double equivalent = mises(trial), excess = equivalent - material.strength - material.hardening * slip;
+  if (excess <= 0.0) return {trial, material.stiffness(), 0.0};
   const Stress shape = deviator(trial), normal = shape / norm(shape);
-  const double kept = material.strength / equivalent, shear = material.shear();
+  const double shear = material.shear(), soft = 3.0 * shear / (3.0 * shear + material.hardening);
+  const double kept = 1.0 - soft * excess / equivalent;
   Returned returned;
   returned.stress = trial - (1.0 - kept) * shape;
-  returned.tangent = isotropic(material.bulk(), kept * shear) - 2.0 * shear * kept * normal * normal.transpose();
-  returned.slip = (equivalent - material.strength) / (3.0 * shear);
+  returned.tangent =
+      isotropic(material.bulk(), kept * shear) - 2.0 * shear * (soft - 1.0 + kept) * normal * normal.transpose();
+  returned.slip = soft * excess / (3.0 * shear);
   return returned;
 }
 

@@ -8,10 +8,11 @@ namespace yield_study {
 using Stress = Eigen::Vector4d;
 using Stiffness = Eigen::Matrix4d;
 
-/// An isotropic material that yields by von Mises, and does not harden.
+/// An isotropic material that yields by von Mises, and hardens isotropically.
 struct Material {
   double young, poisson;
-  double strength;  ///< Y, infinite of an elastic one
+  double strength;         ///< Y, infinite of an elastic one
+  double hardening = 0.0;  ///< H, what the strength grows by the equivalent plastic strain
 
   [[nodiscard]] double shear() const { return young / (2.0 * (1.0 + poisson)); }
   [[nodiscard]] double bulk() const { return young / (3.0 * (1.0 - 2.0 * poisson)); }
@@ -30,8 +31,9 @@ struct Returned {
 };
 
 /// Radial return of a stress beyond the yield surface, by the implicit Euler rule (Simo and Hughes, Computational
-/// Inelasticity, box 3.2 without hardening).
+/// Inelasticity, box 3.2 with isotropic hardening).
 /// @param trial the stress if the step were elastic
-[[nodiscard]] Returned radial_return(const Material& material, const Stress& trial);
+/// @param slip before, by which the material has hardened
+[[nodiscard]] Returned radial_return(const Material& material, const Stress& trial, double slip = 0.0);
 
 }  // namespace yield_study

@@ -13,6 +13,7 @@ class Run:
         of = dict(zip(words[1::2], words[2::2]))
         self.poisson, self.depth = float(of["nu"]), float(of["depth"])
         self.elements, self.steps, self.size = int(of["elements"]), int(of["steps"]), float(of["size"])
+        self.hardening = float(of.get("hardening", 0))  # H/E
         rows = {name: np.array([row[1:] for row in lines if row[0] == name], float) for name in ("load", "unload", "surface")}
         self.load, self.unload = rows["load"], np.vstack([rows["load"][-1], rows["unload"]])
         self.surface = rows["surface"]
