@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/group_loss.hpp"
 #include "numeric/damped_oscillator.hpp"
@@ -79,6 +80,34 @@ void ModeTables::place_rows(const Contact& contact) {
   }
 }
 
+/// Finds the decays that all modes of a group have in common: where a term hardly changes the modulus, its rate is that
+/// of the material by itself, nearly the same in all modes. A common one has their mean rate, by what each adds to the
+/// motion, so that the rest is of second order in what is allowed.
+void ModeTables::find_common(std::size_t group) {
+  constexpr double allowed = 3e-3;
+  std::size_t decays = 0;
+  const auto mode_of = [&](std::size_t l) -> const LossyOscillator& { return lossy.mode[position(group, l)]; };
+  for (std::size_t l = 0; l < size[group]; ++l) decays = std::max(decays, mode_of(l).rate.size());
+  std::vector<int>& places = lossy.place_of.emplace_back();
+  std::vector<Lossy::Common>& common = lossy.common.emplace_back();
+  int place = 0;
+  for (std::size_t j = 0; j < decays; ++j) {
+    double sum = 0.0, weight = 0.0, lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
+    for (std::size_t l = 0; l < size[group]; ++l) {
+      const LossyOscillator& mode = mode_of(l);
+      if (mode.rate.size() <= j) continue;
+      const std::size_t k = position(group, l);
+      const double counts = std::abs(mode.residue[j]) * (upper[k] * upper[k] + lower[k] * lower[k]);
+      sum += counts * mode.rate[j], weight += counts;
+      lowest = std::min(lowest, mode.rate[j]), highest = std::max(highest, mode.rate[j]);
+    }
+    const double mean = weight > 0.0 ? sum / weight : 0.0;
+    common.push_back({mean, std::exp(-mean * step), {}});
+    const bool alike = highest - mean <= allowed * mean && mean - lowest <= allowed * mean;
+    places.push_back(alike ? -1 : place++);
+  }
+}
+
 /// Each block has as many decays for every mode as that of its groups with the most terms; beside a body that relaxes
 /// or has layers one with a loss time has one that nothing moves, so that it is counted alike in every block.
 void ModeTables::place_decays(const Contact& contact) {
@@ -89,7 +118,7 @@ void ModeTables::place_decays(const Contact& contact) {
     std::size_t count = 0;
     for (std::size_t g = block * lanes; g < std::min((block + 1) * lanes, contact.groups.size()); ++g) {
       const GroupLoss loss(contact, g);
-      count = std::max(count, loss.terms());
+      for (const int place : lossy.place_of[g]) count = std::max(count, static_cast<std::size_t>(place + 1));
       const bool lossy_otherwise = loss.is_of_layers() || loss.loss_time() > 0.0;
       if (relaxes && lossy_otherwise) count = std::max<std::size_t>(count, 1);
     }
@@ -98,6 +127,22 @@ void ModeTables::place_decays(const Contact& contact) {
     all += (begin[block + 1] - begin[block]) * count;
   }
   for (auto* each : {&lossy.residue, &lossy.kept, &lossy.decay_rate}) each->resize(all);
+}
+
+/// Gives a mode the rates that it has in common with others, and adds it to their residues.
+void ModeTables::take_common(std::size_t group, std::size_t index) {
+  const std::size_t k = position(group, index);
+  LossyOscillator& mode = lossy.mode[k];
+  for (std::size_t j = 0; j < mode.rate.size(); ++j) {
+    if (decay(group, index, j)) continue;
+    Lossy::Common& its = lossy.common[group][j];
+    mode.velocity += mode.residue[j] * (its.rate - mode.rate[j]);  // a kick is still one of 1
+    mode.rate[j] = its.rate;
+    const double residue = omega[k] * mode.residue[j];
+    its.residue.upper += residue * upper[k] * upper[k];
+    its.residue.mixed += residue * upper[k] * lower[k];
+    its.residue.lower += residue * lower[k] * lower[k];
+  }
 }
 
 void ModeTables::lose(const Contact& contact, Kicks kicks) {
@@ -113,7 +158,6 @@ void ModeTables::lose(const Contact& contact, Kicks kicks) {
   lossy.due.resize(all, 0.5);
   lossy.rate.resize(all);
   lossy.work_due.resize(size.size());
-  place_decays(contact);
   for (std::size_t g = 0; g < size.size(); ++g) {
     const GroupLoss loss(contact, g);
     for (std::size_t l = 0; l < size[g]; ++l) {
@@ -138,6 +182,15 @@ void ModeTables::lose(const Contact& contact, Kicks kicks) {
         mode = kelvin_voigt_oscillator(omega[k], loss.loss_time());
         mode.gamma = dashpot.gamma;
       }
+    }
+  }
+  for (std::size_t g = 0; g < size.size(); ++g) find_common(g);
+  place_decays(contact);
+  for (std::size_t g = 0; g < size.size(); ++g) {
+    for (std::size_t l = 0; l < size[g]; ++l) {
+      const std::size_t k = position(g, l);
+      LossyOscillator& mode = lossy.mode[k];
+      take_common(g, l);
       const auto [kept, coupling, velocity] = numeric::damped_motion(mode.frequency, mode.gamma, step);
       cosine[k] = kept;
       sine[k] = coupling;
@@ -151,24 +204,36 @@ void ModeTables::lose(const Contact& contact, Kicks kicks) {
       lossy.work_due[g].mixed += omega[k] * lossy.due[k] * upper[k] * lower[k];
       lossy.work_due[g].lower += omega[k] * lossy.due[k] * lower[k] * lower[k];
       for (std::size_t j = 0; j < mode.rate.size(); ++j) {
-        const std::size_t at = decay(g, l, j);
-        lossy.residue[at] = omega[k] * mode.residue[j];
-        lossy.kept[at] = std::exp(-mode.rate[j] * step);
-        lossy.decay_rate[at] = mode.rate[j];
+        const auto at = decay(g, l, j);
+        if (!at) continue;
+        lossy.residue[*at] = omega[k] * mode.residue[j];
+        lossy.kept[*at] = std::exp(-mode.rate[j] * step);
+        lossy.decay_rate[*at] = mode.rate[j];
       }
     }
   }
 }
 
-std::size_t ModeTables::decay(std::size_t group, std::size_t index, std::size_t number) const {
+std::optional<std::size_t> ModeTables::decay(std::size_t group, std::size_t index, std::size_t number) const {
   const std::size_t block = group / lanes;
-  return lossy.decay_begin[block] + (index * lossy.decay_count[block] + number) * lanes + group % lanes;
+  const int place = lossy.place_of[group][number];
+  if (place < 0) return std::nullopt;
+  const auto of_mode = index * lossy.decay_count[block] + static_cast<std::size_t>(place);
+  return lossy.decay_begin[block] + of_mode * lanes + group % lanes;
 }
 
 const Rates* ModeTables::rates_of(std::size_t group, std::size_t index) const {
   const std::size_t body = group < first_groups_ ? 0 : 1;
   if (of_layers_[body]) return &lossy.of_layers[position(group, index)];
   return lossy.rates[body].rate.empty() ? nullptr : &lossy.rates[body];
+}
+
+bool ModeTables::relaxes(std::size_t block) const {
+  const std::size_t end = std::min((block + 1) * lanes, lossy.place_of.size());
+  for (std::size_t g = block * lanes; g < end; ++g) {
+    if (!lossy.place_of[g].empty()) return true;
+  }
+  return lossy.decay_count[block] > 0;
 }
 
 std::size_t ModeTables::position(std::size_t group, std::size_t index) const {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "relaxation/oscillator.hpp"
@@ -50,14 +51,21 @@ struct ModeTables {
       double upper = 0.0, mixed = 0.0, lower = 0.0;
     };
     std::vector<Due> work_due;  // of each group, per product of kicks: by the due share of kicks in their work
+    /// A decay that all modes of a group have in common, but for what a kick adds to it: by residues over kicks.
+    struct Common {
+      double rate, kept;
+      Due residue;  // Σ over the modes, of products of weights
+    };
+    std::vector<std::vector<int>> place_of;   // of each group: of each decay of a mode, −1 where it is a common one
+    std::vector<std::vector<Common>> common;  // of each group: of each decay, of which those of −1 matter
   } lossy;
   [[nodiscard]] bool loses() const { return !lossy.mode.empty(); }
 
   /// Whether a block has decays.
-  [[nodiscard]] bool relaxes(std::size_t block) const { return lossy.decay_count[block] > 0; }
+  [[nodiscard]] bool relaxes(std::size_t block) const;
 
-  /// Place of a decay in their arrays.
-  [[nodiscard]] std::size_t decay(std::size_t group, std::size_t index, std::size_t number) const;
+  /// Place of a decay in their arrays; nothing of one that the group has in common.
+  [[nodiscard]] std::optional<std::size_t> decay(std::size_t group, std::size_t index, std::size_t number) const;
 
   /// The rates of a mode in a body that relaxes; else null.
   [[nodiscard]] const Rates* rates_of(std::size_t group, std::size_t index) const;
@@ -80,6 +88,8 @@ struct ModeTables {
   void place_rows(const Contact& contact);
   void lose(const Contact& contact, Kicks kicks);
   void place_decays(const Contact& contact);
+  void find_common(std::size_t group);
+  void take_common(std::size_t group, std::size_t index);
 
   std::size_t first_groups_;
   std::array<bool, 2> of_layers_{};  // each body

@@ -16,11 +16,14 @@ KeptModes::KeptModes(std::shared_ptr<const ModeTables> tables)
       b_(tables_->begin.back()),
       energy_sum_(tables_->begin.back()),
       decays_(tables_->lossy.kept.size()),
+      common_(tables_->lossy.common.size()),
       lost_(tables_->loses() ? tables_->blocks() * kernels::lanes : 0),
       push_(2 * tables_->blocks() * kernels::lanes),
       edge_(push_.size()),
       amplitude_(tables_->rows),
-      moved_(tables_->nodes) {}
+      moved_(tables_->nodes) {
+  for (std::size_t g = 0; g < common_.size(); ++g) common_[g].resize(tables_->lossy.common[g].size());
+}
 
 KeptModes::KeptModes(const Contact& contact, const ContactGrid& grid, double step, Kicks kicks)
     : KeptModes(std::make_shared<const ModeTables>(contact, grid, step, kicks)) {}
@@ -70,7 +73,7 @@ double KeptModes::displacement(std::size_t group, std::size_t index) const {
   const std::size_t k = tables_->position(group, index);
   double sum = a_[k];
   for (std::size_t j = 0; tables_->loses() && j < tables_->lossy.mode[k].rate.size(); ++j) {
-    sum += decays_[tables_->decay(group, index, j)];
+    sum += decaying(group, index, j);
   }
   return sum;
 }

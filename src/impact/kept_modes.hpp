@@ -93,11 +93,17 @@ class KeptModes {
   [[nodiscard]] double lost_now(std::size_t group) const;
   [[nodiscard]] double work_due(std::size_t group, double share) const;  // of the kick that is due
   void advance_relaxing(std::size_t block);
+  void advance_common(std::size_t group);
+  [[nodiscard]] double decaying(std::size_t group, std::size_t index, std::size_t number) const;
 
   std::shared_ptr<const ModeTables> tables_;
   std::vector<double> a_, b_, energy_sum_;
-  std::vector<double> decays_;     // what a lacks of the displacement, of bodies that relax
-  std::vector<double> lost_;       // by each group, in units of the mass, but for what the present step adds
+  std::vector<double> decays_;  // what a lacks of the displacement, of bodies that relax
+  struct Push {
+    double upper = 0.0, lower = 0.0;
+  };
+  std::vector<std::vector<Push>> common_;  // of each group: kicks that are left in each decay of all its modes
+  std::vector<double> lost_;               // by each group, in units of the mass, but for what the present step adds
   std::vector<double> push_;       // velocity kick of a full step per unit amplitude; as kernels::advance has it
   std::vector<double> edge_;       // Σ C Q, then Σ S Q, over each group
   std::vector<double> amplitude_;  // of each shape in the motion; force on it

@@ -13,8 +13,7 @@ double KeptModes::velocity_before(std::size_t group, std::size_t index) const {
   const std::size_t k = tables_->position(group, index);
   double sum = tables_->lossy.speed[k] * b_[k];
   for (std::size_t j = 0; j < tables_->lossy.mode[k].rate.size(); ++j) {
-    const std::size_t at = tables_->decay(group, index, j);
-    sum -= tables_->lossy.decay_rate[at] * decays_[at];
+    sum -= tables_->lossy.mode[k].rate[j] * decaying(group, index, j);
   }
   return sum / tables_->omega[k];
 }
@@ -26,10 +25,11 @@ void KeptModes::begin_lossy(std::size_t group) {
     a_[k] += tables_->lossy.place[k] * half;
     b_[k] += tables_->lossy.jump[k] * half;
     for (std::size_t j = 0; j < tables_->lossy.mode[k].rate.size(); ++j) {
-      const std::size_t at = tables_->decay(group, l, j);
-      decays_[at] += tables_->lossy.residue[at] * half;
+      if (const auto at = tables_->decay(group, l, j)) decays_[*at] += tables_->lossy.residue[*at] * half;
     }
   }
+  for (Push& each : common_[group])
+    each.upper -= 0.5 * push_[group], each.lower -= 0.5 * push_[push_.size() / 2 + group];
   lost_[group] = -lost_now(group);
 }
 
@@ -60,7 +60,36 @@ void KeptModes::advance_relaxing(std::size_t block) {
   kernels::advance_relaxing(view(), relaxing, tables_->begin.data(), tables_->blocks(), block, push_.data(),
                             edge_.data(), lost_.data());
   const std::size_t end = std::min((block + 1) * kernels::lanes, tables_->size.size());
-  for (std::size_t g = block * kernels::lanes; g < end; ++g) lost_[g] += work_due(g, 1.0);
+  for (std::size_t g = block * kernels::lanes; g < end; ++g) {
+    lost_[g] += work_due(g, 1.0);
+    advance_common(g);
+  }
+}
+
+/// The decays that all modes of a group have in common: each has minus its residue times the kicks that are left.
+void KeptModes::advance_common(std::size_t group) {
+  const double up = push_[group], low = push_[push_.size() / 2 + group];
+  double& upper_sum = edge_[group];
+  double& lower_sum = edge_[edge_.size() / 2 + group];
+  for (std::size_t j = 0; j < common_[group].size(); ++j) {
+    const ModeTables::Lossy::Common& common = tables_->lossy.common[group][j];
+    const ModeTables::Lossy::Due& residue = common.residue;
+    Push& its = common_[group][j];
+    const auto upper = [&] { return -(residue.upper * its.upper + residue.mixed * its.lower); };
+    const auto lower = [&] { return -(residue.mixed * its.upper + residue.lower * its.lower); };
+    lost_[group] += common.rate * (up * upper() + low * lower());
+    its = {common.kept * (its.upper + up), common.kept * (its.lower + low)};
+    upper_sum += upper(), lower_sum += lower();
+  }
+}
+
+/// One of the decays of a mode.
+double KeptModes::decaying(std::size_t group, std::size_t index, std::size_t number) const {
+  if (const auto at = tables_->decay(group, index, number)) return decays_[*at];
+  const std::size_t k = tables_->position(group, index);
+  const Push& its = common_[group][number];
+  const double kicks = tables_->upper[k] * its.upper + tables_->lower[k] * its.lower;
+  return -tables_->omega[k] * tables_->lossy.mode[k].residue[number] * kicks;
 }
 
 double KeptModes::work_due(std::size_t group, double share) const {
@@ -74,7 +103,7 @@ double KeptModes::energy_of_lossy(std::size_t group, std::size_t index) const {
   const double omega = tables_->omega[k];
   const LossyOscillator& mode = tables_->lossy.mode[k];
   std::vector<double> decaying(mode.rate.size());
-  for (std::size_t j = 0; j < decaying.size(); ++j) decaying[j] = decays_[tables_->decay(group, index, j)];
+  for (std::size_t j = 0; j < decaying.size(); ++j) decaying[j] = this->decaying(group, index, j);
   // b counts omega times in velocities, as a in displacements.
   return tables_->mass / omega *
          mode.energy(tables_->rates_of(group, index), a_[k], mode.frequency * b_[k], decaying, omega * kick(group, k));
@@ -83,6 +112,7 @@ double KeptModes::energy_of_lossy(std::size_t group, std::size_t index) const {
 KeptModes KeptModes::ringing() const {
   KeptModes made = *this;
   std::fill(made.decays_.begin(), made.decays_.end(), 0.0);
+  for (std::vector<Push>& each : made.common_) std::fill(each.begin(), each.end(), Push{});
   for (std::size_t k = 0; k < tables_->lossy.mode.size(); ++k) {
     const LossyOscillator& mode = tables_->lossy.mode[k];
     if (!mode.rate.empty() && mode.gamma >= mode.frequency) made.a_[k] = made.b_[k] = 0.0;  // it creeps
@@ -120,8 +150,8 @@ double KeptModes::lossy_displacement_later(std::size_t group, std::size_t index,
   const auto [kept, coupling, slowed] = numeric::damped_motion(its.mode[k].frequency, its.mode[k].gamma, time);
   double moved = (a_[k] - its.place[k] * half) * kept + (b_[k] - its.jump[k] * half) * coupling;
   for (std::size_t j = 0; j < its.mode[k].rate.size(); ++j) {
-    const std::size_t at = tables_->decay(group, index, j);
-    moved += (decays_[at] - its.residue[at] * half) * std::exp(-its.mode[k].rate[j] * time);
+    const double residue = tables_->omega[k] * its.mode[k].residue[j];
+    moved += (decaying(group, index, j) - residue * half) * std::exp(-its.mode[k].rate[j] * time);
   }
   return moved;
 }
