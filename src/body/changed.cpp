@@ -1,4 +1,4 @@
-// What belongs to a body beside its modes: how its material relaxes, how rough it is.
+// What belongs to a body beside its modes: how its material relaxes and yields, how rough it is.
 #include "body/changed.hpp"
 
 #include <utility>
@@ -32,6 +32,16 @@ double unit_of_time(const BodyScale& scale) { return scale.length / scale.speed;
 
 void require_asperities(double asperities) {
   stoss::require("asperities", asperities, {0.0, 1e3, true, true, "0 to 1000"}, "length of the asperities in R");
+}
+
+void require_strength(const Strength& strength) {
+  constexpr double most_hardening = 0.03;  // of the finite elements (stoss/contact/elastic_plastic.hpp)
+  const Range share{0.0, 1.0, true, true, "0 to 1"};
+  stoss::require("yield_strength", strength.yield, share, "yield strength in E");
+  stoss::require("yield_hardening", strength.hardening, {0.0, most_hardening, true, true, "0 to 0.03"},
+                 "growth of the strength with plastic strain, in E");
+  stoss::require("yield_rate", strength.rate, share, "C of Y (1 + C ln(rate of strain / reference))");
+  stoss::require("yield_reference", strength.reference, {0.0, 1e100, false, true, "above 0"}, "rate of strain in c/R");
 }
 
 }  // namespace
@@ -92,6 +102,31 @@ BodyMaker rough(const BodyMaker& maker, double asperities) {
   require_asperities(asperities);
   if (asperities == 0.0) return maker;
   return [maker, asperities](double cutoff, const Poll& poll) { return rough(maker(cutoff, poll), asperities); };
+}
+
+Body yielding(const Body& body, const Strength& strength) {
+  require_strength(strength);
+  if (strength.yield == 0.0) return body;
+  if (body.softness == 0.0) {
+    throw InvalidInput::conflict("yield_strength", "'" + body.name + "' is rigid, and does not yield", "leave it out");
+  }
+  if (body.contour != Contour::ball) {
+    throw InvalidInput::conflict("yield_strength", "'" + body.name + "' does not touch on a circle",
+                                 "the model of yield is one of balls");
+  }
+  Body result = changed(body, [strength, own = unit_of_time(body.scale)](const Body& each) {
+    return yielding(
+        each, {strength.yield, strength.hardening, strength.rate, strength.reference * unit_of_time(each.scale) / own});
+  });
+  result.strength = strength;
+  result.name += " yield_strength=" + shown(strength.yield);
+  return result;
+}
+
+BodyMaker yielding(const BodyMaker& maker, const Strength& strength) {
+  require_strength(strength);
+  if (strength.yield == 0.0) return maker;
+  return [maker, strength](double cutoff, const Poll& poll) { return yielding(maker(cutoff, poll), strength); };
 }
 
 void validate(const Coat& coat) {

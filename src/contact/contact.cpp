@@ -7,6 +7,7 @@
 
 #include "check.hpp"
 #include "contact/contact_cache.hpp"
+#include "contact/faces/coats.hpp"
 #include "contact/unit_ratios.hpp"
 #include "stoss/errors.hpp"
 
@@ -49,6 +50,21 @@ void add_modes(const Body& body, const UnitRatios& units, std::size_t first_row,
   }
 }
 
+/// Of the weaker one that yields; 0 if none does. @param units of the second
+Strength weaker(const Strength& first, Strength second, const UnitRatios& units) {
+  second.yield *= units.stress, second.reference /= units.time;
+  return first.yield > 0.0 && (second.yield == 0.0 || first.yield <= second.yield) ? first : second;
+}
+
+/// The law of yield is one of bare and smooth faces.
+void require_bare(const Contact& contact) {
+  if (contact.yield.yield == 0.0) return;
+  const bool coated = coat_compliance(contact) > 0.0;
+  if (!coated && contact.asperities == 0.0) return;
+  throw InvalidInput::conflict("yield_strength", coated ? "with a coat" : "with rough faces",
+                               "a body that yields has bare and smooth faces here");
+}
+
 /// In this order it is m/2 to the last bit for equal bodies.
 double reduced(double first, double second) { return std::isinf(second) ? first : first * (second / (first + second)); }
 
@@ -83,7 +99,9 @@ Contact contact(std::shared_ptr<const Body> body, const Wall& wall) {
   contact.stable_step = stable_step(*body);
   contact.groups = body->groups;
   contact.first_groups = body->groups.size();
+  contact.yield = body->strength;
   contact.first = std::move(body);
+  require_bare(contact);
   contact.cache = std::make_shared<ContactCache>();
   return contact;
 }
@@ -105,8 +123,10 @@ Contact contact(std::shared_ptr<const Body> first, std::shared_ptr<const Body> s
   contact.unbounded = is_unbounded(*second);
   contact.keeps_displacement = second->part.keeps_displacement;
   add_modes(*second, units, shape_rows(*first), contact);
+  contact.yield = weaker(first->strength, second->strength, units);
   contact.first = std::move(first);
   contact.second = std::move(second);
+  require_bare(contact);
   contact.stable_step = stable_step(contact, units);
   contact.cache = std::make_shared<ContactCache>();
   return contact;

@@ -10,6 +10,7 @@
 #include "contact/residual/residual_part.hpp"
 #include "contact/touch.hpp"
 #include "contact/unit_ratios.hpp"
+#include "contact/yield/indentation.hpp"
 #include "contact/zener.hpp"
 #include "stoss/errors.hpp"
 
@@ -84,6 +85,10 @@ std::vector<double> residual_sum(const Contact& contact, const ContactGrid& grid
 /// Of Hertz' contact of bare faces.
 double bare_half_width(const Contact& contact, double speed) {
   const Touch met = touch(contact);
+  if (contact.yield.yield > 0.0) {
+    const Onset onset = onset_of(contact, speed);
+    return onset.radius * loading_radius(onset.deepest);
+  }
   if (met.circle) {
     // Hertz: the energy of the approach is (8/15) δ^{5/2}/(D √curvature), a² = δ/curvature.
     const double energy = 0.5 * contact.whole_mass * speed * speed;
@@ -100,12 +105,16 @@ double bare_half_width(const Contact& contact, double speed) {
 
 double bare_duration(const Contact& contact, double speed) {
   const Touch met = touch(contact);
+  if (contact.yield.yield > 0.0) {  // that of an elastic contact as deep, which is longer
+    const Onset onset = onset_of(contact, speed);
+    return hertzian_duration * onset.depth * onset.deepest / speed;
+  }
   const double width = bare_half_width(contact, speed);
   if (met.circle && contact.keeps_displacement) {
     const auto [inelasticity, unit] = zener_scales(contact, speed);
     return zener_impact(inelasticity).duration * unit;
   }
-  if (met.circle) return 2.943 * width * width * met.curvature / speed;
+  if (met.circle) return hertzian_duration * width * width * met.curvature / speed;
   // The impulse 2μv over the maximum force, times the shape of the pulse.
   const double force = 0.25 * width * width * met.curvature / met.softness;
   return 3.3 * speed * contact.whole_mass / whole_mass(*contact.first) / force;

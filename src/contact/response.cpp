@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "contact/hard_contact.hpp"
+#include "contact/yield/yielding_contact.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
@@ -86,6 +87,7 @@ bool ExponentialResponse::overflows() const {
 
 std::unique_ptr<ContactResponse> make_response(const Contact& contact, Tail tail, const ContactGrid& grid, double speed,
                                                double step, const Poll& poll) {
+  if (contact.yield.yield > 0.0) return std::make_unique<YieldingContact>(contact, grid, speed, step, poll);
   if (tail == Tail::none) return std::make_unique<ExponentialResponse>(contact, grid, speed);
   if (tail == Tail::quasistatic) {
     return std::make_unique<QuasistaticTail>(contact, grid, speed, step, poll);
@@ -94,7 +96,7 @@ std::unique_ptr<ContactResponse> make_response(const Contact& contact, Tail tail
 }
 
 bool follows_at_once(const Contact& contact, Tail tail) {
-  return tail == Tail::radiating && longest_loss_time(contact) > 0.0;
+  return tail == Tail::radiating && contact.yield.yield == 0.0 && longest_loss_time(contact) > 0.0;
 }
 
 }  // namespace stoss

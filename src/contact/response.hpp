@@ -21,6 +21,9 @@ class ContactResponse {
   /// a step. The forces of what stores energy must be the exact gradient of stored_energy.
   virtual const std::vector<double>& advance(const std::vector<double>& position) = 0;
 
+  /// The same forces as friction feels them: where a law acts on all of a contact as one, as its pressure is spread.
+  [[nodiscard]] virtual const std::vector<double>& spread(const std::vector<double>& force) { return force; }
+
   /// Number of leading nodes beyond which the last force vanishes.
   [[nodiscard]] virtual std::size_t extent() const = 0;
 
@@ -51,6 +54,15 @@ class ContactResponse {
 
   /// Energy that the material of the first and of the second body has taken so far from the modes above the cutoff.
   [[nodiscard]] virtual std::array<double, 2> dissipated_energy() const { return {}; }
+
+  /// The deepest compression so far of a contact that yields, over that at the onset, and what it was before the
+  /// impact.
+  [[nodiscard]] virtual double pressed() const { return 0.0; }
+  virtual void press(double /*before*/) {}
+
+  /// Energy that plastic flow of the first and of the second body has taken so far, and the dent that it leaves, R.
+  [[nodiscard]] virtual std::array<double, 2> flow_energy() const { return {}; }
+  [[nodiscard]] virtual double dent() const { return 0.0; }
 
   /// Largest distance by which a free node may at present lie in front of its x_dyn.
   [[nodiscard]] virtual double protrusion() const { return 0.0; }

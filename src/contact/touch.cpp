@@ -23,6 +23,18 @@ Touch touch(const Contact& contact) {
   return touch;
 }
 
+std::vector<RelaxingBody> relaxing_bodies(const Contact& contact) {
+  const double softness = touch(contact).softness;
+  std::vector<RelaxingBody> bodies;
+  for (int number = 0; number < 2; ++number) {
+    const auto body = body_of(contact, number);
+    if (body == nullptr || body->relaxation.terms.empty()) continue;
+    const UnitRatios units = units_of(contact, number);
+    bodies.push_back({body->softness * units.softness / softness, in_time(body->relaxation, units.time)});
+  }
+  return bodies;
+}
+
 double loss_share(const Contact& contact) {
   const Touch met = touch(contact);
   if (met.loss_time > 0.0) return contact.first->softness * contact.first->loss_time / (met.softness * met.loss_time);

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <vector>
+
 #include "stoss/contact/contact.hpp"
 #include "stoss/contact/grid.hpp"
+#include "stoss/relaxation.hpp"
 
 namespace stoss {
 
@@ -16,6 +19,17 @@ struct Touch {
 };
 
 [[nodiscard]] Touch touch(const Contact& contact);
+
+/// Time of Hertz' contact over δ/v.
+inline constexpr double hertzian_duration = 2.943;
+
+/// A body that relaxes, and its share of the softness of both; times in R/c of the first.
+struct RelaxingBody {
+  double share;
+  Relaxation relaxation;
+};
+
+[[nodiscard]] std::vector<RelaxingBody> relaxing_bodies(const Contact& contact);
 
 /// Share of the first body in what the material of both loses near the contact: losses go with η times the
 /// compression, or with what relaxes of it.

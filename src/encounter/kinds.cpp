@@ -68,6 +68,21 @@ constexpr Parameter coat_quality{"coat_quality",
                                  true,
                                  false,
                                  "quality Q of the coat, whose modulus is then that at once; 0: no loss"};
+constexpr Parameter yield_strength{
+    "yield_strength", "Pa", 0.0,   0.0,
+    infinity,         true, false, "yield strength of its material: a model; 0: it does not yield"};
+constexpr Parameter yield_hardening{
+    "yield_hardening",
+    "Pa",
+    0.0,
+    0.0,
+    infinity,
+    true,
+    false,
+    "growth H of the strength for each unit of plastic strain, up to 0.03 of the modulus: a model"};
+constexpr Parameter yield_rate{
+    "yield_rate", "",   0.0,   0.0,
+    1.0,          true, false, "C of the strength at a rate of strain in 1/s above 1, Y (1 + C ln(rate)): a model"};
 constexpr Parameter hardness{"hardness", "", 500.0, 1.0, 1e8, true, false, "alpha R = R/u0 of the wall"};
 constexpr Parameter strength{"strength", "", 1.0, 1e-100, 1e100, true, false, "V0; it only shifts the wall"};
 
@@ -151,6 +166,8 @@ std::vector<Kind> make_kinds() {
   for (Kind* each : {&disk, &sphere, &rod, &modal, &half_space, &half_plane, &plate, &strip}) {
     each->parameters.insert(each->parameters.end(), {roughness, u0, coat, coat_young, coat_poisson, coat_quality});
   }
+  for (Kind* each : {&sphere, &modal, &half_space, &plate})
+    each->parameters.insert(each->parameters.end(), {yield_strength, yield_hardening, yield_rate});
   Kind same = wall;
   same.name = "same", same.plural = "equal bodies", same.help = "a second body, equal to the first";
   same.parameters = {};

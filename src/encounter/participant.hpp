@@ -27,6 +27,9 @@ auto with_prefix_against(Make make) {
 /// η, that of the material where none is given, of a plate of its uppermost layer; 0 of a rigid body.
 [[nodiscard]] double loss_time_of(const Participant& of);
 
+/// Yield strength of its own, or that of its material, Pa; nothing of a rigid body, and where none is known.
+[[nodiscard]] std::optional<double> strength_of(const Participant& of);
+
 /// The material of the list that a body has by its name; null for numbers of its own.
 [[nodiscard]] const NamedMaterial* named_of(const Participant& of);
 

@@ -68,6 +68,9 @@ BodyMaker with_asperities(const BodyMaker& maker, double asperities) {
 
 void refuse_rough(const Encounter& encounter, const std::string& what) {
   const auto refuse = [&what](const Participant& of) {
+    if (given_or(of, "yield_strength", 0.0) > 0.0) {
+      throw InvalidInput::conflict("yield_strength", what + " knows elastic bodies alone", "leave it out");
+    }
     if (given_or(of, "coat", 0.0) > 0.0)
       throw InvalidInput::conflict("coat", what + " knows bare faces alone", "leave it out");
     if (asperities_of(of) == 0.0) return;

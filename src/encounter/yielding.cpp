@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "encounter/participant.hpp"
+#include "encounter/yielding.hpp"
 #include "stoss/encounter/encounter.hpp"
 #include "stoss/encounter/kinds.hpp"
 #include "stoss/quasistatic/yield.hpp"
@@ -17,14 +18,11 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-double strength_of(const Participant& of) {
-  return of.rigid || !of.material ? unlimited : of.material->yield_strength.value_or(unlimited);
-}
-
 /// Which of the two yields first.
 std::string weaker_of(const Encounter& encounter) {
   const std::string& met = encounter.against.kind;
-  if (strength_of(encounter.first) <= strength_of(encounter.against)) return "ball";
+  if (strength_of(encounter.first).value_or(unlimited) <= strength_of(encounter.against).value_or(unlimited))
+    return "ball";
   return met == "sphere" ? "other ball" : met == "half-space" ? "block" : met;
 }
 
@@ -41,30 +39,66 @@ std::string times(double ratio) {
 
 }  // namespace
 
+std::optional<double> strength_of(const Participant& of) {
+  if (of.rigid) return std::nullopt;
+  if (const double given = given_or(of, "yield_strength", 0.0); given > 0.0) return given;
+  return of.material ? of.material->yield_strength : std::nullopt;
+}
+
 std::optional<double> yield_speed(const Encounter& encounter) {
   const Participant& first = encounter.first;
   if (!first.material || !kind(first.kind).can_yield) return std::nullopt;
   const double radius = given_or(first, "radius", unlimited);
   Material material = *first.material;
+  material.yield_strength = strength_of(first);
   if (first.rigid) material.young = unlimited;
   if (encounter.against.kind == "same") return quasistatic::yield_speed(material, radius, material, radius);
   if (kind(encounter.against.kind).wall) return quasistatic::yield_speed(material, radius);
   if (!kind(encounter.against.kind).can_yield) return std::nullopt;
   return with_prefix_against([&] {
     Material other = *encounter.against.material;
+    other.yield_strength = strength_of(encounter.against);
     if (encounter.against.rigid) other.young = unlimited;
     return quasistatic::yield_speed(material, radius, other, given_or(encounter.against, "radius", unlimited));
   });
 }
 
+BodyMaker yielding_as_given(const BodyMaker& maker, const Encounter& encounter, const Participant& of) {
+  const double given = given_or(of, "yield_strength", 0.0), rate = given_or(of, "yield_rate", 0.0);
+  const double hardening = given_or(of, "yield_hardening", 0.0);
+  if (given == 0.0) {
+    if (rate > 0.0) throw InvalidInput::missing("yield_strength", "", "there is a yield_rate");
+    if (hardening > 0.0) throw InvalidInput::missing("yield_strength", "", "there is a yield_hardening");
+    return maker;
+  }
+  const double young =
+      of.modal ? of.modal->young : all_values(of, 0.0, given_or(encounter.first, "radius", 1.0)).at("young");
+  const Strength strength{given / young, hardening / young, rate};
+  if (rate == 0.0) return yielding(maker, strength);
+  const auto scales = si_scales(encounter);
+  if (!scales) {
+    throw InvalidInput::conflict("yield_rate", "without a material", "rates of strain are in 1/s, and need SI");
+  }
+  return [maker, strength, second = scales->time](double cutoff, const Poll& poll) {
+    const Body body = maker(cutoff, poll);
+    return yielding(body,
+                    {strength.yield, strength.hardening, strength.rate, second * body.scale.length / body.scale.speed});
+  };
+}
+
+bool yields(const Encounter& encounter) {
+  return given_or(encounter.first, "yield_strength", 0.0) > 0.0 ||
+         given_or(encounter.against, "yield_strength", 0.0) > 0.0;
+}
+
 std::string yield_warning(const Encounter& encounter, double speed) {
   const std::optional<double> onset = yield_speed(encounter);
-  if (!onset || speed <= *onset) return {};
+  if (yields(encounter) || !onset || speed <= *onset) return {};
   constexpr double well_beyond = 3.0;  // there yielding takes a tenth of the energy and more
   const double ratio = speed / *onset;
   return "the " + weaker_of(encounter) + " yields above " + rounded_to(3, *onset) + " m/s (you asked for " +
          rounded_to(4, speed) + " m/s, " + times(ratio) + " times that): the real rebound is " +
-         (ratio > well_beyond ? "much " : "") + "lower; use stoss predict";
+         (ratio > well_beyond ? "much " : "") + "lower; give a yield_strength, or use stoss predict";
 }
 
 std::vector<std::string> material_warnings(const Encounter& encounter, double fastest) {

@@ -30,6 +30,7 @@ Collision::Collision(const Contact& contact, const FixedResolution& resolution, 
   // The same before and after an impact, so that it can be reversed.
   const double energy_speed = start ? std::sqrt(speed * speed + 2.0 * modes_.energy() / contact.mass) : speed;
   response_ = make_response(contact, resolution.tail, grid, energy_speed, step_, poll);
+  if (start) response_->press(start->pressed);
   touch_ = response_->touch();
   center_.start(start ? contact_.extent + start->center : response_->start(speed_ * step_));
   if (pressures_ != nullptr) pressures_->begin(compression());
@@ -56,7 +57,7 @@ void Collision::respond() {
   const std::size_t extent = response_->extent();
   center_.load(std::accumulate(force.begin(), force.begin() + static_cast<std::ptrdiff_t>(extent), 0.0));
   modes_.load(force, extent);
-  if (pressures_ != nullptr) pressures_->add(force, *response_, center_);
+  if (pressures_ != nullptr) pressures_->add(response_->spread(force), *response_, center_);
 }
 
 void Collision::advance() {
@@ -141,6 +142,8 @@ Snapshot Collision::snapshot() const {
   now.stored = response_->stored_energy() / initial_energy_;
   const auto [first, second] = dissipated();
   now.dissipated = (first + second) / initial_energy_;
+  const auto [flow, second_flow] = response_->flow_energy();
+  now.yielded = (flow + second_flow) / initial_energy_;
   now.unresolved = response_->unresolved_energy() / initial_energy_;
   now.contact_half_width = history_.in_contact() ? half_width() : 0.0;
   return now;
@@ -154,7 +157,7 @@ std::array<double, 2> Collision::dissipated() const {
 }
 
 State Collision::state() const {
-  return {compression() - contact_.extent, velocity(), modes_.coordinate(), modes_.momentum()};
+  return {compression() - contact_.extent, velocity(), modes_.coordinate(), modes_.momentum(), response_->pressed()};
 }
 
 std::vector<double> Collision::node_force() const {
@@ -180,7 +183,8 @@ Impact Collision::result() const {
   impact.lost_fraction = 1.0 - impact.restitution * impact.restitution;
   history_.fill(contact_, initial_velocity_, velocity(), impact);
   const KeptModes rings = modes_.ringing();
-  impact.final_state = {compression() - contact_.extent, velocity(), rings.coordinate(), rings.momentum()};
+  impact.final_state = {compression() - contact_.extent, velocity(), rings.coordinate(), rings.momentum(),
+                        response_->pressed()};
 
   EnergyLedger& ledger = impact.energy;
   ledger.translation = translation() / initial_energy_;
@@ -212,11 +216,16 @@ Impact Collision::result() const {
   ledger.stored -= held / initial_energy_;
   ledger.lost_to_first += (first + relaxing) / initial_energy_;
   ledger.lost_to_second += (second + relaxing_second) / initial_energy_;
+  const auto [flow, second_flow] = response_->flow_energy();
+  ledger.yielded = (flow + second_flow) / initial_energy_;
+  ledger.lost_to_first += flow / initial_energy_;
+  ledger.lost_to_second += second_flow / initial_energy_;
+  impact.dent = response_->dent();
   const double share = unresolved_share(contact_);
   ledger.lost_to_first += share * ledger.unresolved;
   ledger.lost_to_second += (1.0 - share) * ledger.unresolved;
-  impact.energy_error =
-      1.0 - ledger.translation - ledger.vibration - ledger.dissipated - ledger.unresolved - ledger.stored;
+  impact.energy_error = 1.0 - ledger.translation - ledger.vibration - ledger.dissipated - ledger.yielded -
+                        ledger.unresolved - ledger.stored;
   return impact;
 }
 

@@ -57,6 +57,7 @@ void WholeBodies::convert(Snapshot& now) const {
   now.translation = velocity * velocity * start_.translation / part_ / energy_;
   now.vibration = (now.vibration + (1.0 - part_) * lost * lost * start_.translation) / energy_;
   now.dissipated /= energy_;
+  now.yielded /= energy_;
   now.stored /= energy_;
   now.unresolved /= energy_;
 }
@@ -67,8 +68,8 @@ void WholeBodies::convert(Impact& impact) const {
   EnergyLedger& ledger = impact.energy;
   const double lost = 1.0 + impact.restitution;
   const double beyond = (1.0 - part_) * lost * lost * start_.translation / energy_;
-  for (double* each : {&ledger.vibration, &ledger.dissipated, &ledger.unresolved, &ledger.stored, &ledger.lost_to_first,
-                       &ledger.lost_to_second, &impact.energy_error}) {
+  for (double* each : {&ledger.vibration, &ledger.dissipated, &ledger.yielded, &ledger.unresolved, &ledger.stored,
+                       &ledger.lost_to_first, &ledger.lost_to_second, &impact.energy_error}) {
     *each /= energy_;
   }
   for (ModeEnergy& mode : ledger.modes) {

@@ -16,6 +16,7 @@ const Quantities<Impact>& impact_quantities() {
       {"translation", none, help::translation, [](const I& i) { return i.energy.translation; }},
       {"vibration", none, help::vibration, [](const I& i) { return i.energy.vibration; }},
       {"dissipated", none, help::dissipated, [](const I& i) { return i.energy.dissipated; }},
+      {"yielded", none, help::yielded, [](const I& i) { return i.energy.yielded; }},
       {"unresolved", none, help::unresolved, [](const I& i) { return i.energy.unresolved; }},
       {"lost_to_first", none, help::lost_to_first, [](const I& i) { return i.energy.lost_to_first; }},
       {"lost_to_second", none, help::lost_to_second, [](const I& i) { return i.energy.lost_to_second; }},
@@ -25,6 +26,7 @@ const Quantities<Impact>& impact_quantities() {
       {"max_force", force, help::max_force, &I::max_force},
       {"max_compression", length, help::max_compression, &I::max_compression},
       {"max_half_width", length, help::max_half_width, &I::max_half_width},
+      {"dent", length, help::dent, &I::dent},
       {"cutoff", frequency, help::cutoff, &I::cutoff},
       {"modes", none, help::modes, [](const I& i) { return static_cast<long>(i.energy.modes.size()); }},
       {"step", time, help::step, [](const I& i) { return i.resolution.step; }},
@@ -48,11 +50,9 @@ std::string note_of_staying() {
 const Quantities<EnergyLedger>& ledger_quantities() {
   using L = EnergyLedger;
   static const Quantities<L> all{
-      {"translation", none, help::translation, &L::translation},
-      {"vibration", none, help::vibration, &L::vibration},
-      {"dissipated", none, help::dissipated, &L::dissipated},
-      {"unresolved", none, help::unresolved, &L::unresolved},
-      {"stored", none, help::stored, &L::stored},
+      {"translation", none, help::translation, &L::translation}, {"vibration", none, help::vibration, &L::vibration},
+      {"dissipated", none, help::dissipated, &L::dissipated},    {"yielded", none, help::yielded, &L::yielded},
+      {"unresolved", none, help::unresolved, &L::unresolved},    {"stored", none, help::stored, &L::stored},
   };
   return all;
 }
@@ -127,6 +127,7 @@ const Quantities<ObliqueLedger>& oblique_ledger_quantities() {
       {"second_vibration", none, "Share of the initial energy in the vibration of the second body's kept modes",
        &L::second_vibration},
       {"dissipated", none, help::dissipated, &L::dissipated},
+      {"yielded", none, help::yielded, &L::yielded},
       {"friction", none, help::friction_loss, &L::friction},
       {"unresolved", none, help::unresolved, &L::unresolved},
       {"stored", none, help::stored, &L::stored},
@@ -160,6 +161,7 @@ const Quantities<Snapshot>& snapshot_quantities() {
       {"vibration", none, help::vibration, &S::vibration},
       {"stored", none, help::stored, &S::stored},
       {"dissipated", none, help::dissipated, &S::dissipated},
+      {"yielded", none, help::yielded, &S::yielded},
       {"unresolved", none, help::unresolved, &S::unresolved},
       {"contact_half_width", length, "Half-width of the contact, of spheres its radius", &S::contact_half_width},
   };

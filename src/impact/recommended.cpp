@@ -7,6 +7,7 @@
 
 #include "contact/demands.hpp"
 #include "contact/touch.hpp"
+#include "contact/yield/yielding_contact.hpp"
 
 namespace stoss {
 namespace {
@@ -22,10 +23,12 @@ double in_steps(const Contact& contact, double half_width) {
   return contact.radius * std::exp2(std::round(steps * std::log2(half_width / contact.radius)) / steps);
 }
 
+/// Of the points over the contact that is expected.
+double margin_of(const Contact& contact) { return contact.yield.yield > 0.0 ? points_over_yielding_contact : 1.25; }
+
 /// @param pushing gap up to which points push that have not touched
 double first_half_width(const Contact& contact, double speed, double pushing) {
-  constexpr double margin = 1.25;
-  const double touching = margin * expected_half_width(contact, speed);
+  const double touching = margin_of(contact) * expected_half_width(contact, speed);
   const double beyond = pushing > 0.0 ? 2.0 * pushing / touch(contact).curvature : 0.0;
   return std::min(std::sqrt(touching * touching + beyond), greatest_half_width(contact));
 }
@@ -62,7 +65,8 @@ double known_half_width(const Contact& contact, double speed, const Impact& coar
   constexpr double spacings = 2.0, share = 0.25;
   const FixedResolution& grid = coarser.resolution;
   if (grid.nodes < 2) return 0.0;
-  if (contact.asperities > 0.0) return 0.0;  // they push beyond what counts as contact
+  if (contact.yield.yield > 0.0) return 0.0;  // known beforehand
+  if (contact.asperities > 0.0) return 0.0;   // they push beyond what counts as contact
   const bool resolved = coarser.max_half_width > spacings * grid.half_width / grid.nodes;
   return resolved ? coarser.max_half_width : share * initial_half_width(contact, speed);
 }
@@ -71,6 +75,9 @@ Resolution refined_resolution(const Contact& contact, double speed, double half_
   Resolution resolution;
   resolution.step = std::min(0.5 / contact.cutoff, contact.stable_step);
   if (has_single_point(contact)) return resolution;
+  constexpr double fewest_steps = 1000.0;  // of a contact that turns at its deepest with a bend
+  if (contact.yield.yield > 0.0)
+    resolution.step = std::min(*resolution.step, expected_duration(contact, speed) / fewest_steps);
   // A coarser run shows how far the contact spreads. The edge law needs room beyond it: most of two spacings.
   constexpr double margin = 1.06, spacings = 2.0;
   constexpr double matters = 16.0;  // lengths of the asperities from the face where pressure is down to 10⁻⁷
@@ -78,7 +85,8 @@ Resolution refined_resolution(const Contact& contact, double speed, double half_
   const double expected =
       half_width > 0.0 ? half_width : first_half_width(contact, speed, matters * contact.asperities);
   const double width = in_steps(contact, expected);
-  const double wanted = std::max<double>(sampled_nodes(contact, width), fewest);
+  const bool local = contact.yield.yield > 0.0;  // the points only carry shapes of modes
+  const double wanted = local ? fewest : std::max<double>(sampled_nodes(contact, width), fewest);
   resolution.half_width = std::min(width * std::max(margin, 1.0 + spacings / wanted), greatest_half_width(contact));
   const double nodes = std::max(wanted, 1.02 * nyquist_nodes(contact, *resolution.half_width));
   constexpr double vector = 8.0;

@@ -65,7 +65,11 @@ const std::vector<Constant>& constants() {
        true},
       {"loss", &Uncertainties::loss, [](Participant& its, double factor) { lose_more(its, factor); }, true},
       {"yield_strength", &Uncertainties::yield_strength,
-       [](Participant& its, double factor) { multiply(its.material->yield_strength, factor); }, false},
+       [](Participant& its, double factor) {
+         multiply(its.material->yield_strength, factor);
+         if (const auto own = its.values.find("yield_strength"); own != its.values.end()) own->second *= factor;
+       },
+       true},
       {"surface_energy", &Uncertainties::surface_energy,
        [](Participant& its, double factor) { multiply(its.material->surface_energy, factor); }, false},
   };

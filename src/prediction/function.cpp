@@ -23,7 +23,7 @@ PredictedFunction predicted_function(const Encounter& encounter, double slowest,
     for (const Prediction& each : predict(encounter, in_si, models)) {
       values.push_back(each.restitution);
       by_models = std::max(by_models, each.by_models);
-      if (!(values.back().error <= options.error / 3.0)) {
+      if (!(each.without_models.error <= options.error / 3.0)) {
         throw NotConverged("predict: at speed " + rounded(each.speed) + " m/s the computed channels do not converge");
       }
     }

@@ -8,6 +8,7 @@
 
 #include "check.hpp"
 #include "prediction/constants.hpp"
+#include "prediction/idealized.hpp"
 #include "prediction/touching.hpp"
 #include "prediction/warnings.hpp"
 #include "restitution/ordered_jobs.hpp"
@@ -18,55 +19,32 @@
 namespace stoss {
 namespace {
 
-using prediction::Computed;
-using prediction::PredictedImpact;
 using prediction::Touching;
 using prediction::Variant;
-using prediction::Waves;
-using prediction::WavyImpact;
-using quasistatic::YieldLaw;
 
 constexpr double gravity = 9.80665;  // m/s²
 
-/// With the moduli at a frequency, rad/s.
-Encounter without_loss(Encounter encounter, double frequency) {
-  for (Participant* each : {&encounter.first, &encounter.against}) {
-    if (!each->material) continue;
-    const std::vector<Losses> losses = losses_of_layers(*each);
-    for (const char* loss : {"loss_time", "quality"}) each->values.erase(loss);
-    each->relaxation.reset(), each->material_name.clear();
-    const auto strip = [&losses, frequency](Material& its, std::size_t layer) {
-      its.loss_time.reset(), its.quality.reset(), its.relaxation.reset();
-      its.young *= prediction::stiffer(losses[layer], frequency);
-    };
-    strip(*each->material, 0);
-    for (std::size_t i = 0; i < each->below.size(); ++i) {
-      strip(*each->below[i].material, i + 1);
-      each->below[i].material_name.clear();
-    }
-  }
-  return encounter;
-}
-
-Encounter with_smooth_faces(Encounter encounter) {
-  for (Participant* each : {&encounter.first, &encounter.against}) {
-    std::erase_if(each->values, [](const auto& of) { return is_of_face(of.first); });
-  }
-  return encounter;
-}
-
-/// One impact of elastic or lossy bodies.
+/// One impact, with what of it is computed, and yield as its law has it.
 Restitution computed_impact(const Encounter& encounter, double speed, double tolerance, const Poll& poll) {
   constexpr double small = 1e-5;  // error of 1 − ε², which models and constants exceed
   return best_restitution(refinable(encounter), speed_in_c(encounter, speed),
                           {.tolerance = tolerance, .absolute = small, .poll = poll});
 }
 
-/// Its channels. @param rings,radiates what they take of the waves, in any unit @param time unit of time, s
-Computed channels(const Restitution& its, double rings, double radiates, double time) {
-  const double waves = std::max(its.lost_fraction.value - its.dissipated, 0.0);
-  const double sum = rings + radiates, radiated = sum > 0.0 ? waves * radiates / sum : 0.0;
-  return {its.restitution.value, waves - radiated, radiated, its.contact_time.value * time};
+/// Share of the energy that waves take.
+double waves_of(const Restitution& its) {
+  return std::max(its.lost_fraction.value - its.dissipated - its.yielded, 0.0);
+}
+
+/// Share of it that runs away in a block or a plate: heat and flow count with each body, so the modes tell.
+double radiated(const Restitution& its, bool block) {
+  if (!block) return 0.0;
+  double ring = its.lost_to_first, run = its.lost_to_second;
+  if (its.dissipated > 0.0 || its.yielded > 0.0) {
+    ring = run = 0.0;
+    for (const ModeEnergy& mode : its.finest.energy.modes) (mode.body == 0 ? ring : run) += mode.after;
+  }
+  return ring + run > 0.0 ? waves_of(its) * run / (ring + run) : 0.0;
 }
 
 /// One speed, with all that it needs.
@@ -80,148 +58,149 @@ class PredictionAtSpeed {
         options_(options),
         poll_(poll),
         unit_(si_scales(given)->time),
-        impact_(computed_impact(given, speed, options.tolerance, poll)),
+        elastic_(computed_impact(elastic(given), speed, options.tolerance, poll)),
         touching_(prediction::touching(given, options.work_of_adhesion, frequency())),
-        computed_(computed_channels()) {}
+        yields_(yields(given)),
+        real_(yields_ ? computed_impact(as_it_yields(given), speed, options.tolerance, poll) : elastic_) {}
 
   [[nodiscard]] Prediction predicted() const {
     Prediction made;
     made.speed = speed_;
-    made.without_models = impact_.restitution;
+    made.without_models = elastic_.restitution;
     made.drop_height = speed_ * speed_ / (2.0 * gravity);
-    if (std::isnan(computed_.restitution)) {
+    if (std::isnan(real_.restitution.value)) {
       constexpr double none = std::numeric_limits<double>::quiet_NaN();
       made.restitution = {none, none};
       made.by_models = made.by_constants = made.models_low = made.models_high = none;
       made.rebound_height = made.contact_time = none;
       made.shares.fill(none);
     } else {
-      add_models(made);
+      add_channels(made);
+      spread(made);
       if (options_.influences) add_influences(made);
     }
-    made.warnings = prediction::warnings(encounter_, limits_, impact_, made);
-    if (asperities_of(encounter_) > 0.0 && !std::isnan(computed_.restitution)) {
-      const Restitution its = computed_impact(with_smooth_faces(encounter_), speed_, options_.tolerance, poll_);
-      const double waves = std::max(its.lost_fraction.value - its.dissipated, 0.0);
-      made.warnings.push_back(prediction::saved_by_asperities(computed_.waves(), waves));
+    made.warnings = prediction::warnings(encounter_, limits_, real_, made);
+    if (asperities_of(encounter_) > 0.0 && !std::isnan(elastic_.restitution.value)) {
+      const Encounter smooth = elastic(prediction::with_smooth_faces(encounter_));
+      const Restitution its = computed_impact(smooth, speed_, options_.tolerance, poll_);
+      made.warnings.push_back(prediction::saved_by_asperities(waves_of(elastic_), waves_of(its)));
     }
     return made;
   }
 
  private:
-  [[nodiscard]] Computed computed_channels() const {
-    const Kind& met = kind(encounter_.against.kind);
-    const bool failed = impact_.runs.empty();  // all is NaN
-    if (met.wall || met.bounded || failed) return channels(impact_, 1.0, 0.0, unit_);
-    if (impact_.dissipated == 0.0) return channels(impact_, impact_.lost_to_first, impact_.lost_to_second, unit_);
-    // As the bodies without loss share them, since heat counts with each. A long contact needs so many modes of the
-    // block that one coarse impact must do: hardly anything rings then.
-    constexpr double roughly = 0.1, longest = 100.0;
-    const Encounter lossless = without_loss(encounter_, *frequency());
-    if (duration() <= longest) {
-      const Restitution parts = computed_impact(lossless, speed_, roughly, poll_);
-      return channels(impact_, parts.lost_to_first, parts.lost_to_second, unit_);
+  static Encounter elastic(Encounter encounter) {
+    for (Participant* each : {&encounter.first, &encounter.against}) {
+      each->values.erase("yield_strength");
+      each->values.erase("yield_hardening");
+      each->values.erase("yield_rate");
     }
-    const EnergyLedger its = impact_at(lossless, impact_.runs.front().cutoff).energy;
-    return channels(impact_, std::max(its.lost_to_first - its.unresolved, 0.0), its.lost_to_second, unit_);
+    return encounter;
   }
 
-  /// At which the contact asks for moduli: half a period of it is the time of contact.
+  /// Coats spread the pressure, and nothing is known of what yields below one. Asperities are much lower than a dent.
+  static Encounter as_it_yields(const Encounter& encounter) {
+    return prediction::with_yield(prediction::with_smooth_faces(encounter));
+  }
+
+  [[nodiscard]] bool yields(const Encounter& encounter) const {
+    const auto coated = [](const Participant& of) { return of.values.contains("coat"); };
+    if (coated(encounter.first) || coated(encounter.against)) return false;
+    return touching_.yield_speed && speed_ > *touching_.yield_speed;
+  }
+
+  /// At which the contact asks for moduli, rad/s: half a period of it is the time of contact.
   [[nodiscard]] std::optional<double> frequency() const {
-    const double time = duration() * unit_;
+    const double time = elastic_.contact_time.value * unit_;
     return std::isfinite(time) && time > 0.0 ? std::optional(std::numbers::pi / time) : std::nullopt;
   }
 
-  /// Of the contact, R/c of the ball.
-  [[nodiscard]] double duration() const { return impact_.contact_time.value; }
-
-  /// One impact with as many nodes as the coarsest of these.
-  [[nodiscard]] Impact impact_at(const Encounter& encounter, double cutoff) const {
-    const FixedResolution& coarse = impact_.runs.front().resolution;
-    const double speed = speed_in_c(encounter, speed_);
-    ImpactOptions how{.poll = poll_};
-    how.resolution = {.nodes = coarse.nodes, .tail = coarse.tail};
-    return impact(contact_of(encounter, cutoff, speed), speed, how);
+  [[nodiscard]] bool at_block() const {
+    const Kind& met = kind(encounter_.against.kind);
+    return !met.wall && !met.bounded;
   }
 
-  [[nodiscard]] Waves waves() const { return touching_.sheet ? Waves::of_force : Waves::of_rate; }
+  /// Share of the energy that adhesion takes as the bodies part, with the dent that they have.
+  [[nodiscard]] double adhesion(const Touching& its) const {
+    if (its.work_of_adhesion == 0.0) return 0.0;
+    const double length = encounter_.first.values.at("radius");
+    const double compression = yields_ ? real_.max_compression.value * length : 0.0;
+    return its.adhesion(compression) / (0.5 * its.mass * speed_ * speed_);
+  }
 
-  void add_models(Prediction& made) const {
-    const WavyImpact motion(computed_, waves());
-    const PredictedImpact whole = motion.with(touching_, speed_);
-    const Estimate& alone = made.without_models;
-    made.restitution = {whole.restitution,
-                        alone.value > 0.0 ? alone.error * whole.restitution / alone.value : alone.error};
-    made.shares = whole.shares;
+  void add_channels(Prediction& made) const {
+    const double left = std::max(0.0, 1.0 - real_.lost_fraction.value), adhesion = this->adhesion(touching_);
+    const bool sticks = left <= adhesion;
+    const Estimate& without = real_.restitution;
+    made.restitution = without;
+    if (adhesion > 0.0) made.restitution.value = sticks ? 0.0 : std::sqrt(left - adhesion);
+    if (adhesion > 0.0 && !sticks) made.restitution.error *= without.value / made.restitution.value;
+    const double waves = waves_of(real_), away = radiated(real_, at_block());
+    made.shares = {waves - away, away, real_.dissipated, std::max(real_.yielded, 0.0), sticks ? left : adhesion};
     const auto largest = std::max_element(made.shares.begin(), made.shares.end());
     made.dominant = static_cast<Channel>(largest - made.shares.begin());
-    made.rebound_height = whole.restitution * whole.restitution * made.drop_height;
-    made.contact_time = whole.time;
-    spread(motion, made);
+    made.rebound_height = made.restitution.value * made.restitution.value * made.drop_height;
+    made.contact_time = sticks ? std::numeric_limits<double>::infinity() : real_.contact_time.value * unit_;
   }
 
-  /// How far models are from their ε: other published laws of yield and what the own one leaves open, how far adhesion
-  /// is that of Johnson, Kendall and Roberts, and how a plate answers.
-  void spread(const WavyImpact& motion, Prediction& made) const {
+  /// How far models are from their ε: what the law of yield leaves open, and how far adhesion is that of Johnson,
+  /// Kendall and Roberts.
+  void spread(Prediction& made) const {
     const double its = made.restitution.value;
     made.models_low = made.models_high = its;
     const auto take = [&made](double other) {
       made.models_low = std::min(made.models_low, other);
       made.models_high = std::max(made.models_high, other);
     };
-    const auto& onset = touching_.yield_speed;
-    if (onset && speed_ > *onset) {
-      take(motion.with(touching_, speed_, YieldLaw::thornton_ning).restitution);
-      const double ratio = speed_ / *onset, fully = quasistatic::fully_plastic_restitution(ratio);
-      const double own = plastic_restitution(YieldLaw::finite_elements, ratio);
-      take(std::min(its * fully / own, computed_.restitution));
-      // Above some 1900 V_y both are below: the own law is then the highest, and known no better than to its fit and to
-      // Poisson's ratio, 1 % and 3 or 4 % of ε² where yield takes all (elastic_plastic.hpp).
+    if (yields_) {  // its fit and Poisson's ratio: 1 % and 3 or 4 % of ε² where yield takes all (elastic_plastic.hpp)
       constexpr double higher = 0.04, lower = 0.05;
       const double share = made.share(Channel::yield);
-      take(std::min(its * std::sqrt(1.0 + higher * share), computed_.restitution));
+      take(std::min(its * std::sqrt(1.0 + higher * share), elastic_.restitution.value));
       take(its * std::sqrt(1.0 - lower * share));
     }
     if (touching_.work_of_adhesion > 0.0) {
       constexpr double none = 0.1, full = 5.0;  // Tabor's numbers
       const double share = std::clamp(std::log(touching_.tabor_number() / none) / std::log(full / none), 0.0, 1.0);
-      Touching smooth = touching_;
-      smooth.work_of_adhesion = 0.0;
-      take(its + (1.0 - share) * (motion.with(smooth, speed_).restitution - its));
+      take(its + (1.0 - share) * (real_.restitution.value - its));
     }
-    if (touching_.sheet) take(WavyImpact(computed_, Waves::of_rate).with(touching_, speed_).restitution);
     made.by_models = std::max(its - made.models_low, made.models_high - its);
+  }
+
+  /// One impact with as many nodes as the coarsest of these.
+  [[nodiscard]] Impact impact_at(const Encounter& encounter, double cutoff) const {
+    const FixedResolution& coarse = real_.runs.front().resolution;
+    const Encounter real = yields_ ? as_it_yields(encounter) : elastic(encounter);
+    const double speed = speed_in_c(real, speed_);
+    ImpactOptions how{.poll = poll_};
+    how.resolution = {.nodes = coarse.nodes, .tail = coarse.tail};
+    return impact(contact_of(real, cutoff, speed), speed, how);
   }
 
   /// An impact that shows what bodies nearly the same change: the coarsest, or of a long contact with a block, whose
   /// waves are long, one with a lower cutoff, as the number of its modes grows with cutoff and duration.
   [[nodiscard]] Run coarse() const {
     constexpr double enough = 150.0;  // radians within the contact
-    Run made = impact_.runs.front();
-    const Kind& met = kind(encounter_.against.kind);
-    if (met.wall || met.bounded || touching_.sheet || made.cutoff * duration() <= enough) return made;
-    made.cutoff = enough / duration();
-    const Impact its = impact_at(encounter_, made.cutoff);
-    made.lost_fraction = its.lost_fraction, made.dissipated = its.energy.dissipated;
+    Run made = real_.runs.front();
+    const double duration = real_.contact_time.value;
+    if (!at_block() || encounter_.against.kind == "plate" || made.cutoff * duration <= enough) return made;
+    made.cutoff = enough / duration;
+    made.lost_fraction = impact_at(encounter_, made.cutoff).lost_fraction;
     return made;
   }
 
-  /// Of bodies nearly the same: one impact like the coarse one, whose errors are nearly the same too.
-  [[nodiscard]] Computed computed_of(const Encounter& encounter, const Run& coarse) const {
-    const Impact its = impact_at(encounter, coarse.cutoff);
-    const double lost = impact_.lost_fraction.value + its.lost_fraction - coarse.lost_fraction;
-    const double material = impact_.dissipated + its.energy.dissipated - coarse.dissipated;
-    return {std::sqrt(std::max(1.0 - lost, 0.0)), std::max(lost - material, 0.0)};
+  /// ε of bodies nearly the same: of one impact like the coarse one, whose errors are nearly the same too.
+  [[nodiscard]] double restitution_of(const Variant& variant, const Run& coarse) const {
+    double lost = real_.lost_fraction.value;
+    if (variant.computed) lost += impact_at(variant.encounter, coarse.cutoff).lost_fraction - coarse.lost_fraction;
+    const Touching its = prediction::touching(variant.encounter, variant.work_of_adhesion, frequency());
+    return std::sqrt(std::max(0.0, 1.0 - lost - adhesion(its)));
   }
 
   void add_influences(Prediction& made) const {
     double square = 0.0;
     const Run as_here = coarse();
     for (const Variant& variant : prediction::variants(encounter_, options_)) {
-      const Computed computed = variant.computed ? computed_of(variant.encounter, as_here) : computed_;
-      const Touching its = prediction::touching(variant.encounter, variant.work_of_adhesion, frequency());
-      const WavyImpact motion(computed, waves());
-      const double change = motion.with(its, speed_).restitution - made.restitution.value;
+      const double change = restitution_of(variant, as_here) - made.restitution.value;
       made.influences.push_back({variant.constant, variant.uncertainty, change});
       square += change * change;
     }
@@ -237,9 +216,10 @@ class PredictionAtSpeed {
   const PredictionOptions& options_;
   const Poll& poll_;
   double unit_;  ///< R/c of the ball, s
-  Restitution impact_;
+  Restitution elastic_;
   Touching touching_;
-  Computed computed_;
+  bool yields_;
+  Restitution real_;
 };
 
 }  // namespace

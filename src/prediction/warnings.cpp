@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "encounter/participant.hpp"
 #include "stoss/encounter/relaxing.hpp"
 #include "stoss/encounter/roughness.hpp"
 
@@ -20,9 +21,7 @@ bool has_loss(const Participant& of) {
          (of.material && of.material->loss_time.has_value()) || relaxes(of);
 }
 
-bool has_strength(const Participant& of) {
-  return of.rigid || kind(of.kind).wall || (of.material && of.material->yield_strength.has_value());
-}
+bool has_strength(const Participant& of) { return of.rigid || kind(of.kind).wall || strength_of(of).has_value(); }
 
 }  // namespace
 
@@ -34,7 +33,7 @@ std::vector<std::string> warnings(const Encounter& encounter, const Thresholds& 
                                   const Prediction& made) {
   std::vector<std::string> all;
   if (limits.yield && made.speed > *limits.yield) {
-    all.push_back("yields above " + rounded(*limits.yield) + " m/s: a model, with the spread of published laws");
+    all.push_back("yields above " + rounded(*limits.yield) + " m/s: a model, without hardening");
   }
   if (limits.impression && made.speed > *limits.impression) {
     all.push_back("above " + rounded(*limits.impression) +

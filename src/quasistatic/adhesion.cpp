@@ -20,19 +20,6 @@ void require_mass(double mass) {
   require("mass", mass, {1.0 / most_number, most_number, true, true, "1e-100 to 1e100"}, "reduced mass in rho R^3");
 }
 
-/// s of the stable contact: the larger root of s⁴ − s = δ. Newton's method from above, where the function is convex.
-double stable_root(double approach) {
-  double s = std::pow(std::max(approach, 0.0), 0.25) + 1.0;
-  for (int i = 0; i < 100; ++i) {
-    const double slope = 4.0 * s * s * s - 1.0;
-    if (slope <= 0.0) break;
-    const double next = s - (s * (s * s * s - 1.0) - approach) / slope;
-    if (!(next < s)) break;
-    s = next;
-  }
-  return s;
-}
-
 }  // namespace
 
 double adhesion_energy(const PointPair& pair, double work_of_adhesion) {
@@ -47,14 +34,6 @@ double adhesion_energy(const PointPair& pair, double work_of_adhesion) {
 double sticking_speed(const PointPair& pair, double work_of_adhesion, double mass) {
   require_mass(mass);
   return std::sqrt(2.0 / mass * adhesion_energy(pair, work_of_adhesion));
-}
-
-double adhesive_addition(double approach) {
-  require("approach", approach, {parting_approach * (1.0 + 1e-12), most_number, true, true, "-0.47247 or more"},
-          "over R kappa^(4/3)");
-  const double s = stable_root(approach), cube = s * s * s;
-  const double hertz = approach > 0.0 ? 4.0 / 3.0 * approach * std::sqrt(approach) : 0.0;
-  return 4.0 / 3.0 * cube * cube - 2.0 * cube - hertz;
 }
 
 }  // namespace stoss::quasistatic

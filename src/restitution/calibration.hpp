@@ -49,6 +49,14 @@ inline constexpr double calm_on_a_plate = 0.5;                                  
 
 inline constexpr double spacing_on_waves = 0.03;  // over n² rings with friction: 76 balls, 95 % (2026-11-29)
 
+// Of a contact that yields, over a/R (of times over its square): elastic bodies with and without its law, at walls, in
+// pairs, on half-spaces and plates, a/R from 0.03 to 0.46 (numerics, 17; 2026-11-29). The fit of the law:
+// studies/yield.
+inline constexpr double place_of_ringing = 2.0, place_of_radiation = 0.3, force_at_a_place = 0.05, on_a_plate = 0.3;
+inline constexpr double time_at_a_place = 0.3, law_of_yield = 0.01;
+inline constexpr double law_of_one =
+    0.15;  // of ε², where an elastic body meets one that yields: studies/yield/waves.csv
+
 /// The other quantities: reference.csv and all sets after it (2026-11-22).
 inline constexpr Differences contact_time{1.5, 5.0};  // at which waves open or close the contact; all sets (2026-11-27)
 inline constexpr Differences last_touch{1.0, 4.0};    // of a ball that a plate follows: plates (2026-11-26)

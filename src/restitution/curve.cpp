@@ -47,6 +47,7 @@ Restitution failed(double speed, const RestitutionOptions& options, const std::s
                      .lost_to_first = none,
                      .lost_to_second = none,
                      .dissipated = none,
+                     .yielded = none,
                      .tolerance = options.tolerance,
                      .absolute = options.absolute,
                      .converged = false,

@@ -12,6 +12,7 @@
 #include "restitution/layer_doubt.hpp"
 #include "restitution/loss_shares.hpp"
 #include "restitution/node_errors.hpp"
+#include "restitution/yield_errors.hpp"
 
 namespace stoss {
 namespace {
@@ -70,14 +71,6 @@ double rebound(const Contact& contact, const Run& run) {
 
 /// Share of the unresolved energy that is the first body's: a half-space or a plate returns nothing.
 double returned(const Contact& contact) { return contact.unbounded ? unresolved_share(contact) : 1.0; }
-
-/// By what the loss changes with the compliance of what is met, relative to it: a half-space takes in proportion, and a
-/// plate leaves a rebound ε² = 1 − q that falls exponentially with it, as in Zener's theory.
-double sensitivity(const Contact& contact, double lost) {
-  if (!contact.keeps_displacement) return std::abs(lost);
-  const double left = 1.0 - lost;
-  return left > 0.0 ? left * std::abs(std::log(left)) : 0.0;
-}
 
 /// What follows from the differences of runs.
 template <typename Quantity>
@@ -155,18 +148,20 @@ std::vector<Bar> other_bars(const Contact& contact, const Restitution& result, d
            last.contact_time,
            {plate ? differences("last_touch.safety", last_touch, &Run::contact_time)
                   : differences("contact_time.safety", calibration::contact_time, &Run::contact_time),
-            instants}},
+            instants, yield_error_of_time(contact, result, last.contact_time)}},
           {&Restitution::impulse_time,
            last.impulse_time,
-           {differences("smooth.safety", smooth, &Run::impulse_time), parts}},
+           {differences("smooth.safety", smooth, &Run::impulse_time), parts,
+            yield_error_of_time(contact, result, last.impulse_time)}},
           {&Restitution::max_force,
            last.max_force,
            {of_waves ? differences("force_of_waves.safety", force_of_waves, &Run::max_force)
                      : differences("max_force.safety", calibration::max_force, &Run::max_force),
-            force}},
+            force, yield_error_of_force(contact, result, last.max_force)}},
           {&Restitution::max_compression,
            last.max_compression,
-           {differences("smooth.safety", smooth, &Run::max_compression), compression}}};
+           {differences("smooth.safety", smooth, &Run::max_compression), compression,
+            yield_error_of_force(contact, result, last.max_compression)}}};
 }
 
 }  // namespace
@@ -177,7 +172,14 @@ const Term& Bar::greatest() const {
 
 double convergence_order(const Contact& contact) {
   if (has_single_point(contact)) return calibration::lost_at_a_point.order;
-  return loses(contact) ? calibration::order_of_losses : calibration::lost_fraction.order;
+  const bool slower = loses(contact) && contact.yield.yield == 0.0;
+  return slower ? calibration::order_of_losses : calibration::lost_fraction.order;
+}
+
+double sensitivity(const Contact& contact, double lost) {
+  if (!contact.keeps_displacement) return std::abs(lost);
+  const double left = 1.0 - lost;
+  return left > 0.0 ? left * std::abs(std::log(left)) : 0.0;
 }
 
 std::vector<Bar> error_bars(const Contact& contact, double speed, const Restitution& result) {
@@ -208,8 +210,7 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
     const bool is_loss = bar.estimate == &Restitution::lost_fraction;
     if (!is_loss && estimate.error >= std::abs(estimate.value)) estimate.error = unknown;
   }
-  const double layers = doubt_of_layers(contact, last);  // which no cutoff changes
-  result.lost_fraction.error += neglected(correction, result.finest) + last.remaining + layers;
+  result.lost_fraction.error += neglected(correction, result.finest) + last.remaining;
   const double lost = result.lost_fraction.value, error = result.lost_fraction.error;
   const double squared = std::max(0.0, 1.0 - lost);
   const double value = std::copysign(std::sqrt(squared), result.finest.restitution);
@@ -220,7 +221,15 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
     }
   }
   apportion_losses(contact, result);
-  result.converged = error - layers <= std::max(result.tolerance * std::abs(lost), result.absolute);
+  result.converged = error <= std::max(result.tolerance * std::abs(lost), result.absolute);
+}
+
+void add_doubt_of_laws(const Contact& contact, Restitution& result) {
+  const double open = doubt_of_layers(contact, result.runs.back()) + doubt_of_yield(contact, result.finest);
+  if (open == 0.0) return;
+  result.lost_fraction.error += open;
+  const double squared = std::max(0.0, 1.0 - result.lost_fraction.value), error = result.lost_fraction.error;
+  result.restitution.error = error / (std::sqrt(squared + error) + std::abs(result.restitution.value));
 }
 
 }  // namespace stoss

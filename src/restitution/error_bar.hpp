@@ -32,6 +32,10 @@ struct Bar {
 /// it grows, and slower in lossy bodies.
 [[nodiscard]] double convergence_order(const Contact& contact);
 
+/// By what the loss changes with the compliance of what is met, relative to it: a half-space takes in proportion, and a
+/// plate leaves a rebound ε² = 1 − q that falls exponentially with it, as in Zener's theory.
+[[nodiscard]] double sensitivity(const Contact& contact, double lost);
+
 /// Fills the estimates of a result from its runs, of which the last is the finest (docs/developer/numerics.md, section
 /// 5).
 ///
@@ -50,6 +54,9 @@ struct Bar {
 ///
 /// What the near side of a much larger body leaves out adds to the error.
 void conclude(const Contact& contact, double speed, const CurvatureCorrection& correction, Restitution& result);
+
+/// Widens the error of ε and 1 − ε² by what the laws of layers and of yield leave open, which no cutoff changes.
+void add_doubt_of_laws(const Contact& contact, Restitution& result);
 
 /// Widens the error of ε and 1 − ε² by what fewer points than `restitution` takes on half-spaces and plates leave open.
 void add_spacing(const Contact& contact, Restitution& result);

@@ -21,6 +21,7 @@ void apportion_losses(const Contact& contact, Restitution& result) {
   result.lost_to_first = scale * first;
   result.lost_to_second = scale * second;
   result.dissipated = scale * ledger.dissipated;
+  result.yielded = scale * ledger.yielded;
 }
 
 }  // namespace stoss

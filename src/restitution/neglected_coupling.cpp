@@ -58,6 +58,10 @@ void NeglectedCoupling::prepare() {
   const Contact& probe = refinable_.at(0, poll_);
   dundurs_ = mixing({contact_outward(probe, poll_)});
   if (are_equal(probe, dundurs_)) return;
+  if (probe.yield.yield > 0.0) {  // its law has one direction
+    contact_ = &probe, impacts_[0.0] = std::nullopt;
+    return;
+  }
   double stretch = probe.unbounded ? refinable_.stretch(speed_) : 1.0;
   const double cutoff = coarse_cutoff(refinable_, probe, speed_);
   contact_ = &probe;

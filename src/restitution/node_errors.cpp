@@ -37,7 +37,7 @@ double left_by_relaxing(const Contact& contact, double nodes, double duration) {
 }  // namespace
 
 Term node_error_of_losses(const Contact& contact, const Run& run) {
-  if (!loses(contact)) return {};
+  if (!loses(contact) || contact.yield.yield > 0.0) return {};
   const bool circle = touch(contact).circle;
   const double constant = circle ? calibration::nodes_of_balls : calibration::nodes_on_a_line;
   const double nodes = run.resolution.nodes;

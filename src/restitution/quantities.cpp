@@ -34,6 +34,8 @@ const Quantities<Restitution>& restitution_quantities() {
       {"lost_to_first", none, help::lost_to_first, &R::lost_to_first},
       {"lost_to_second", none, help::lost_to_second, &R::lost_to_second},
       {"dissipated", none, help::dissipated, &R::dissipated},
+      {"yielded", none, help::yielded, &R::yielded},
+      {"dent", length, help::dent, [](const R& r) { return finest(r, r.finest.dent); }},
       {"cutoff", frequency, help::cutoff, [](const R& r) { return finest(r, r.finest.cutoff); }},
       {"modes", none, help::modes, [](const R& r) { return count(r.finest.energy.modes); }},
       {"runs", none, help::runs, [](const R& r) { return count(r.runs); }},

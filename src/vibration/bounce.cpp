@@ -62,7 +62,7 @@ Beginning after_flight(const Contact& contact, const Impact& impact, double spee
     state.momentum[k] *= factor;
     moves = moves || state.coordinate[k] != 0.0 || state.momentum[k] != 0.0;
   }
-  if (!moves) return {};
+  if (!moves && state.pressed == 0.0) return {};
   const double to_touch = flight + (contact.extent + center_after(contact, impact)) / speed;
   const double distance = loses(contact) ? clearance(contact, state)
                                          : speed * time_before_touch(contact, free_motion(contact, state, to_touch));
@@ -106,6 +106,7 @@ class Sequence {
     bounce.after = energy_;
     bounce.energy_error = 1.0 - energy_.translation - energy_.vibration - energy_.dissipated - energy_.unresolved;
     bounce.contact_time = impact.contact_time;
+    bounce.dent = impact.dent;
     bounce.strain = impact.strain;
     bounce.beyond_small_strain = impact.beyond_small_strain;
     speed_ *= impact.restitution;
@@ -135,7 +136,7 @@ class Sequence {
     energy_.vibration = own * share;
     // What a lossy body still holds where it relaxes becomes heat in flight.
     const double relaxing = loses(contact_) ? ledger.stored : 0.0;
-    energy_.dissipated += (ledger.dissipated + relaxing) * share;
+    energy_.dissipated += (ledger.dissipated + ledger.yielded + relaxing) * share;
     const double waves = contact_.unbounded ? ledger.vibration - own : 0.0;
     energy_.unresolved += (ledger.unresolved + waves) * share;
   }

@@ -76,6 +76,7 @@ const Quantities<Bounce>& bounce_quantities() {
       {"flight_time", time, "Time of the flight after the impact", &B::flight_time},
       {"short_flight", none, "Whether the flight before was too short for the vibration to keep clear of the wall",
        &B::short_flight},
+      {"dent", length, help::dent, &B::dent},
       {"strain", none, help::strain, &B::strain},
       {"beyond_small_strain", none, help::beyond_small_strain, &B::beyond_small_strain},
   };

@@ -108,12 +108,13 @@ TEST(Encounter, SaysHowFarBeyondYieldASpeedIs) {
   };
   const std::string block = R"({"kind":"half-space","material":"glass"})";
   EXPECT_EQ(said("structural steel", block, 0.0155), "");
-  EXPECT_EQ(
-      said("structural steel", block, 1.0),
-      "the ball yields above 0.0155 m/s (you asked for 1 m/s, 64 times that): the real rebound is much lower; use "
-      "stoss predict");
+  EXPECT_EQ(said("structural steel", block, 1.0),
+            "the ball yields above 0.0155 m/s (you asked for 1 m/s, 64 times that): the real rebound is much lower; "
+            "give a yield_strength, or use "
+            "stoss predict");
   EXPECT_EQ(said("bearing steel", R"("wall")", 0.2),
-            "the ball yields above 0.128 m/s (you asked for 0.2 m/s, 1.56 times that): the real rebound is lower; use "
+            "the ball yields above 0.128 m/s (you asked for 0.2 m/s, 1.56 times that): the real rebound is lower; give "
+            "a yield_strength, or use "
             "stoss predict");
   const std::string soft = R"(,"material":"structural steel"})";
   EXPECT_EQ(said("glass", R"({"kind":"half-space")" + soft, 1.0).substr(0, 16), "the block yields");

@@ -113,7 +113,7 @@ TEST(Plates, AreRefusedInOneLine) {
   EXPECT_EQ(
       plate(R"("thickness":1,"layers":[{"thickness":1}])"),
       "against: got \"thickness\", allowed kind, layers, relaxation, young_is, loss_time, quality, roughness, u0, "
-      "coat, coat_young, coat_poisson, coat_quality");
+      "coat, coat_young, coat_poisson, coat_quality, yield_strength, yield_hardening, yield_rate");
   EXPECT_EQ(plate(R"("layers":[])"), "against layers: got [], allowed a list of layers, from the top");
   EXPECT_EQ(layers("3"), "against layers 1: got 3, allowed an object");
   EXPECT_EQ(layers("{}"), "against thickness: missing, a number (thickness, from face to face)");

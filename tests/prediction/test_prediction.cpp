@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "prediction/touching.hpp"
+#include "stoss/contact/elastic_plastic.hpp"
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/prediction/prediction.hpp"
 #include "stoss/prediction/quantities.hpp"
-#include "stoss/quasistatic/elastic_plastic.hpp"
 #include "stoss/restitution/curve.hpp"
 #include "support/refusal.hpp"
 
@@ -76,11 +76,13 @@ TEST(Predict, YieldAloneIsThatOfItsLaw) {
   const double onset = *thresholds(ball).yield;
   for (const double ratio : {0.5, 2.0, 20.0}) {
     const Prediction made = predict(ball, {ratio * onset}).front();
-    const double expected = quasistatic::plastic_restitution(quasistatic::YieldLaw::finite_elements, ratio);
-    EXPECT_NEAR(made.restitution.value, expected, 1e-4) << ratio;
+    const double expected = plastic_restitution(ratio);
+    // The elasticity of the whole ball makes it a little less (YieldingImpact.TendsToTheWorksOfItsLaw).
+    EXPECT_NEAR(made.restitution.value, expected, ratio < 1.0 ? 1e-4 : 0.02 * expected) << ratio;
     if (ratio < 1.0) continue;
+    EXPECT_LT(made.restitution.value, expected) << ratio;
     EXPECT_EQ(made.dominant, Channel::yield);
-    EXPECT_LT(made.models_low, made.models_high - 1e-3);
+    EXPECT_LT(made.models_low, made.models_high);
   }
 }
 
@@ -107,28 +109,44 @@ TEST(Predict, LossesTogetherAreNotTheirSumButNearlyWhereSmall) {
   const double onset = *thresholds(yields).yield;
   // Barely yielding: the sum.
   const double ratio = 1.05, slow = ratio * onset;
-  const double plastic = 1.0 - std::pow(plastic_restitution(quasistatic::YieldLaw::finite_elements, ratio), 2);
+  const double plastic = 1.0 - std::pow(plastic_restitution(ratio), 2);
   const double both = lost(predict(yields, {slow}).front());
   const double waves = lost(predict(elastic, {slow}).front());
   EXPECT_NEAR(both, waves + plastic, 0.15 * (waves + plastic));
-  // Far beyond: the softer contact radiates less than the elastic one, or yield has less to take.
+  // Far beyond: the softer contact radiates less than the elastic one, or yield has less to take; the whole ball is
+  // stiffer than its law by itself.
   const Prediction fast = predict(yields, {50.0 * onset}).front();
-  const double alone = 1.0 - std::pow(plastic_restitution(quasistatic::YieldLaw::finite_elements, 50.0), 2);
-  EXPECT_LT(lost(fast), lost(predict(elastic, {50.0 * onset}).front()) + alone);
+  const double alone = 1.0 - std::pow(plastic_restitution(50.0), 2);
+  EXPECT_LT(lost(fast), 1.01 * (lost(predict(elastic, {50.0 * onset}).front()) + alone));
   EXPECT_GT(lost(fast), alone);
 }
 
-TEST(Predict, SpreadOfYieldIsTwoSidedAtAllSpeeds) {
-  // Johnson's law falls below the own one at some 1900 V_y.
+TEST(Predict, SpreadOfYieldIsWhatItsLawLeavesOpen) {
+  // 4 % of ε² up and 5 % down, times what yield takes.
   const Encounter ball = own(R"(, "yield_strength": 5e7)");
   const double onset = *thresholds(ball).yield;
-  for (const double ratio : {3.0, 100.0, 1000.0, 3000.0, 20000.0}) {
+  for (const double ratio : {3.0, 100.0, 1000.0}) {
     const Prediction made = predict(ball, {ratio * onset}, {.influences = false}).front();
-    EXPECT_GT(made.models_high, 1.01 * made.restitution.value) << ratio;
-    EXPECT_LT(made.models_low, 0.98 * made.restitution.value) << ratio;
-    EXPECT_EQ(made.by_models,
-              std::max(made.models_high - made.restitution.value, made.restitution.value - made.models_low));
+    const double its = made.restitution.value, share = made.share(Channel::yield);
+    EXPECT_GT(share, 0.1) << ratio;
+    EXPECT_NEAR(made.models_high, its * std::sqrt(1.0 + 0.04 * share), 1e-12) << ratio;
+    EXPECT_NEAR(made.models_low, its * std::sqrt(1.0 - 0.05 * share), 1e-12) << ratio;
+    EXPECT_EQ(made.by_models, std::max(made.models_high - its, its - made.models_low));
   }
+  test::expect_refusal([&] { (void)predict(ball, {20000.0 * onset}); }, {"speed: got ", "1600 times"});
+}
+
+TEST(Predict, HasTheYieldOfTheImpact) {
+  const std::string block = R"({"kind": "half-space", "material": {"young": 7e10, "poisson": 0.22, "density": 2500}})";
+  const Encounter named = own(R"(, "yield_strength": 3e8)", block);
+  Encounter given = own("", block);
+  given.first.values["yield_strength"] = 3e8;
+  const Prediction made = predict(named, {1.0}, {.influences = false}).front();
+  const Restitution same = restitution(refinable(given), speed_in_c(given, 1.0), {.absolute = 1e-5});
+  EXPECT_EQ(made.restitution.value, same.restitution.value);
+  EXPECT_EQ(made.restitution.error, same.restitution.error);
+  EXPECT_EQ(made.share(Channel::yield), same.yielded);
+  EXPECT_EQ(predict(given, {1.0}, {.influences = false}).front().restitution.value, made.restitution.value);
 }
 
 TEST(Predict, SaysWhereOnlySoundSamplesReboundSo) {
@@ -160,7 +178,7 @@ TEST(Predict, PropagatesConstantsOneAtATime) {
   ASSERT_EQ(made.influences.size(), 2U);
   EXPECT_EQ(made.influences[0].constant, "yield_strength");
   const double stronger = predict(own(R"(, "yield_strength": 3.6e8)"), {speed}).front().restitution.value;
-  EXPECT_NEAR(made.influences[0].change, stronger - made.restitution.value, 1e-9);
+  EXPECT_NEAR(made.influences[0].change, stronger - made.restitution.value, 2e-3 * made.influences[0].change);
   EXPECT_GT(made.influences[0].change, 0.0);
   EXPECT_LT(made.influences[1].change, 0.0);
   EXPECT_NEAR(made.by_constants, std::hypot(made.influences[0].change, made.influences[1].change), 1e-15);

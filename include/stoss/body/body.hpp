@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "stoss/body/surface.hpp"
 #include "stoss/poll.hpp"
 #include "stoss/relaxation.hpp"
 
@@ -32,55 +33,6 @@ struct ModeGroup {
   std::vector<double> moduli{};
 };
 
-/// Points at which bodies can touch: they belong to the contact, and every body is asked about the same ones. They lie
-/// at the lateral distances y_i = radius · sin α_i from the axis, α_i = (i + ½) · spacing. Each stands for itself and
-/// for its mirror image, or for a whole ring around the axis.
-struct ContactPoints {
-  double radius = 1.0;   ///< of the circle on which they are equally spaced, in units of the size of the body asked
-  double spacing = 0.0;  ///< radians; 0: a single point on the axis
-  std::size_t count = 1;
-
-  /// α_i
-  [[nodiscard]] double angle(std::size_t i) const { return (static_cast<double>(i) + 0.5) * spacing; }
-};
-
-/// The surface of a body at contact points, in the units of the body.
-struct Surface {
-  std::vector<double> recess;     ///< distance of each point of the body at rest behind the foremost one, R
-  std::vector<double> measure;    ///< length of edge that the point stands for, both sides, R; area of a ring, R²
-  std::vector<double> impedance;  ///< Z, force per velocity of an outgoing plane wave, ρcR
-  std::vector<double> shape;      ///< rows × points, row-major; see ModeGroup
-};
-
-/// How the end of a body is shaped that meets something, which decides where it can touch.
-enum class Contour {
-  flat,      ///< touches as a whole: a single point represents it
-  cylinder,  ///< touches along a line of growing width, as a disk in its plane
-  ball       ///< touches on a growing circle, as a sphere: points are rings around the axis
-};
-
-/// Size, wave speed and mass of a body, in any units common to all bodies that meet.
-struct BodyScale {
-  double length = 1.0;  ///< R
-  double speed = 1.0;   ///< c
-  double mass = 1.0;    ///< m
-};
-
-/// How many contact points a body needs across the half-width a of a hard contact when points and modes are refined
-/// together: with modes up to ω_c the greater of
-///
-///   points · (ω_c/cutoff)^power   for the pressure, and   along_edge · ω_c √a   for the waves along the edge,
-///
-/// a in R of the circle of the contact points, ω_c over the time of the contact (R/c at a wall). Of a pair the body
-/// that asks for more decides.
-struct Sampling {
-  double points = 64.0;     ///< at the cutoff below
-  double cutoff = 1.0;      ///< c/R
-  double power = 0.0;       ///< how they grow with the cutoff
-  double along_edge = 0.0;  ///< 0: no waves that the contact must follow
-  int fewest = 64;          ///< recommended for one impact by itself
-};
-
 /// How much of a body is modelled: all of it, or only its near side, which answers as the whole does until waves are
 /// back from where it ends (docs/theory/pairs.md).
 struct BodyPart {
@@ -100,16 +52,6 @@ struct Load {
   double half_width = 0.0;   ///< a of the contact
   double compression = 0.0;  ///< by which it gives way, at most
   double duration = 0.0;
-};
-
-/// A thin soft layer on the face of a body, which gives way by the pressure times a compliance where it is pressed, as
-/// its thickness over its modulus, h/M, and along the face by h/G (coated).
-struct Coat {
-  double compliance = 0.0;  ///< h/M with the constrained modulus M, R/E of the body
-  double along = 0.0;       ///< h/G with the shear modulus, R/E
-  Relaxation relaxation{};  ///< of its material, times in R/c; E is then that at once
-
-  bool operator==(const Coat&) const = default;
 };
 
 struct Body;
@@ -157,6 +99,7 @@ struct Body {
                                        ///< above are then those of the uppermost one, at the surface
   Coat coat{};                         ///< on its face; a compliance of 0: none
   double asperities = 0.0;  ///< u₀ of its rough face, R: pressure falls as e^{−gap/u₀} (rough); 0: smooth
+  Strength strength{};      ///< from which on it yields
   double cutoff = 0.0;      ///< all modes with ω ≤ kept_cutoff(body) are in `groups` (but see with_modes)
   double highest_cutoff = std::numeric_limits<double>::infinity();  ///< that such a body can be made with
   /// Largest stable time step at a hard wall: above it one kick moves the kept modes of some order further than the
@@ -231,6 +174,15 @@ using BodyMaker = std::function<Body(double cutoff, const Poll& poll)>;
 
 /// Makes such a body at any cutoff; of a coat without compliance the body itself.
 [[nodiscard]] BodyMaker coated(const BodyMaker& maker, const Coat& coat);
+
+/// The same body of a material that yields, in contacts that are small beside it (docs/theory/real_contact.md).
+/// @throws InvalidInput for Y beyond 0 to 1 and H beyond 0 to 0.03 in its E, C beyond 0 to 1, ε̇₀ that is not above 0,
+/// and for a body that is
+///         rigid or does not touch on a circle
+[[nodiscard]] Body yielding(const Body& body, const Strength& strength);
+
+/// Makes such a body at any cutoff; of a Y of 0 the body itself.
+[[nodiscard]] BodyMaker yielding(const BodyMaker& maker, const Strength& strength);
 
 /// Checks what a contact relies on: positive finite scale, mass and cutoff, groups with arrays of one length, finite
 /// weights and 0 < ω ≤ kept_cutoff(body), and all functions.

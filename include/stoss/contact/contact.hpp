@@ -26,6 +26,7 @@ struct Contact {
   std::shared_ptr<const Body> second;   ///< null at a wall
   Wall wall;                            ///< for two bodies a HardWall
   double asperities = 0.0;              ///< u₀ between the faces, √(u₁² + u₂²), R; 0: smooth, no point passes
+  Strength yield{};                     ///< of the weaker one, in units of the first; 0: none yields
   double strength = 1.0;                ///< V₀ of an exponential wall
   double mass = 0.0;                    ///< m of the first at a wall, else μ
   double whole_mass = 0.0;              ///< the same of whole bodies, where only a part of one is there (BodyPart)

@@ -95,6 +95,9 @@ void validate(const Encounter& encounter);
 /// @throws InvalidInput as quasistatic::yield_speed
 [[nodiscard]] std::optional<double> yield_speed(const Encounter& encounter);
 
+/// Whether a body has a yield strength of its own, from which on it yields.
+[[nodiscard]] bool yields(const Encounter& encounter);
+
 /// What a user must be told of elastic results at that speed, m/s: one line beyond the speed of yielding, else nothing.
 [[nodiscard]] std::string yield_warning(const Encounter& encounter, double speed);
 

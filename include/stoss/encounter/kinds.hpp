@@ -54,9 +54,9 @@ inline constexpr std::size_t most_layers = 20;
 /// Whether a parameter says how a material loses energy.
 [[nodiscard]] inline bool is_loss(std::string_view name) { return name == "loss_time" || name == "quality"; }
 
-/// Whether a parameter says how rough a face is, or with what it is coated.
+/// Whether a parameter says how rough a face is, with what it is coated, or from which stress on it yields.
 [[nodiscard]] inline bool is_of_face(std::string_view name) {
-  return name == "roughness" || name == "u0" || name.starts_with("coat");
+  return name == "roughness" || name == "u0" || name.starts_with("coat") || name.starts_with("yield");
 }
 
 /// Whether a parameter is not of a layer but of all of them together.

@@ -36,6 +36,7 @@ struct Snapshot {
   double vibration = 0.0;              ///< of the kept modes
   double stored = 0.0;                 ///< in the wall's potential, the quasistatic tail or a lossy one
   double dissipated = 0.0;             ///< lost to the material so far
+  double yielded = 0.0;                ///< taken by plastic flow so far
   double unresolved = 0.0;             ///< taken by the modes above the cutoff
   double contact_half_width = 0.0;     ///< R
   std::span<const double> coordinate;  ///< Q, on request; valid during the call
@@ -76,9 +77,10 @@ struct EnergyLedger {
   double translation = 0.0;
   double vibration = 0.0;   ///< of the kept modes; in a lossy body it will become heat
   double dissipated = 0.0;  ///< lost to the material, with what one that relaxes still holds at the end
+  double yielded = 0.0;     ///< taken by plastic flow
   double unresolved = 0.0;  ///< of the modes above the cutoff (radiating tail)
   double stored = 0.0;  ///< left in the exponential wall's potential, < 1e-10, and in the tail of a Kelvin–Voigt body
-  double lost_to_first = 0.0;     ///< what the first body vibrates with, dissipates and holds, and of `unresolved`
+  double lost_to_first = 0.0;     ///< what the first body vibrates with, takes and holds, and of `unresolved`
   double lost_to_second = 0.0;    ///< the same of the second; 0 at a wall
   std::vector<ModeEnergy> modes;  ///< in the order of Contact::groups
 };
@@ -104,6 +106,7 @@ struct Impact {
                               ///< 6 % at 0.004 c: a whole ball is stiffer than a point contact (theory/points.md)
   double max_compression = 0.0;  ///< R, beyond the wall; beyond the plane V₀e^{αx} = 1 of an exponential one
   double max_half_width = 0.0;   ///< of the contact, R
+  double dent = 0.0;             ///< depth of the dent that plastic flow leaves, R
   double momentum_error = 0.0;   ///< |impulse − change of momentum| / (m v)
   double energy_error = 0.0;     ///< 1 − sum of the ledger
   long steps = 0;

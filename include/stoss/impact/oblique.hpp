@@ -43,6 +43,7 @@ struct ObliqueLedger {
   double vibration = 0.0;         ///< of the kept modes of the first
   double second_vibration = 0.0;  ///< of the second
   double dissipated = 0.0;        ///< lost to the material until the end of the impact
+  double yielded = 0.0;           ///< taken by plastic flow
   double friction = 0.0;          ///< heat of sliding
   double unresolved = 0.0;        ///< of the modes above the cutoff
   double stored = 0.0;            ///< where a lossy body relaxes

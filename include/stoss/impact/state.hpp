@@ -13,6 +13,7 @@ struct State {
   double velocity = 0.0;           ///< of the centre, towards the wall, c
   std::vector<double> coordinate;  ///< Q, R
   std::vector<double> momentum;    ///< P, mc
+  double pressed = 0.0;  ///< deepest compression so far of a contact that yields, over that at the onset: its dent
 };
 
 /// State after the bodies have touched nothing for a time, forward or back: x₀ drifts and every mode rotates, and

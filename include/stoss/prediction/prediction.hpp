@@ -16,9 +16,9 @@
 ///
 /// Ringing, radiation and loss in the material are *computed* from elasticity, with a numerical error. Yield and
 /// adhesion are *modelled*, with a spread of published models. What is not known of the constants is a third
-/// uncertainty, and often the largest: the three stand side by side and are never added. One motion has all channels
-/// (inelastic_impact.hpp): the loss time and the radiation in it are such that without yield and adhesion it loses what
-/// the computed impact does. A named material has one quality Q at all frequencies, and loses what such a material
+/// uncertainty, and often the largest: the three stand side by side and are never added. All channels but adhesion
+/// are of one impact, in which bodies yield by their law (elastic_plastic.hpp); adhesion takes its work as they part. A
+/// named material has one quality Q at all frequencies, and loses what such a material
 /// loses in a slow impact (docs/theory/loss.md); one with a loss time is Kelvin and Voigt's.
 namespace stoss {
 
@@ -48,7 +48,7 @@ struct Prediction {
   double models_low = 0.0;            ///< the lowest ε of the models, without the other two uncertainties
   double models_high = 0.0;           ///< the highest
   Estimate without_models;            ///< ε without yield and adhesion, with what waves and the material take
-  std::array<double, 5> shares{};     ///< of each channel in the energy before the impact, in one motion
+  std::array<double, 5> shares{};     ///< of each channel in the energy before the impact
   Channel dominant{};                 ///< the largest of them
   double drop_height = 0.0;           ///< from which a ball falls to this speed without air, v²/2g, m
   double rebound_height = 0.0;        ///< to which it rises, ε² of that, m

@@ -24,13 +24,4 @@ namespace stoss::quasistatic {
 /// @param mass reduced mass m, ρR³, 1e-100 to 1e100. @throws InvalidInput as above
 [[nodiscard]] double sticking_speed(const PointPair& pair, double work_of_adhesion, double mass);
 
-/// Force of adhesive contact over that of Hertz in the units F₀ = E*R²κ², δ₀ = Rκ^{4/3}, κ² = 2πw/(E*R), in which
-/// F = (4/3)s⁶ − 2s³ at s⁴ − s = δ: what adhesion adds to Hertz' (4/3)δ^{3/2}, or 0 where δ < 0.
-/// @param approach δ/δ₀ of bodies in contact, parting_approach or more
-/// @throws InvalidInput below it
-[[nodiscard]] double adhesive_addition(double approach);
-
-/// δ/δ₀ at which bodies part: −(3/4) (1/4)^{1/3}.
-inline constexpr double parting_approach = -0.47247039371057740;
-
 }  // namespace stoss::quasistatic

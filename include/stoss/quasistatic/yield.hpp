@@ -2,15 +2,11 @@
 
 #include <optional>
 
+#include "stoss/contact/elastic_plastic.hpp"
 #include "stoss/material.hpp"
 #include "stoss/quasistatic/point_hertz.hpp"
 
 namespace stoss::quasistatic {
-
-/// Maximum contact pressure over the yield strength at which a sphere begins to yield, p₀ = 1.6 Y (K. L. Johnson,
-/// Contact Mechanics, eq. 6.9): below the contact, on the axis, the difference of the principal stresses reaches Y,
-/// which is 0.62 p₀ at ν = 0.3. For ν from 0 to ½ the exact ratio is 1.30 to 1.88, and 1.61 at 0.3.
-inline constexpr double yield_pressure_ratio = 1.6;
 
 /// Speed of approach at which a sphere begins to yield at a rigid wall, m/s; nothing where the material has no yield
 /// strength. In Hertz' quasi-static impact the energy ½mv² is (8/15) E* R³ (πp₀/2E*)⁵ when the maximum pressure is

@@ -46,10 +46,11 @@ struct Restitution {
   Estimate impulse_time;
   Estimate max_force;
   Estimate max_compression;
-  double lost_to_first = 0.0;   ///< share of the initial energy that the first body vibrates with or dissipates
+  double lost_to_first = 0.0;   ///< share of the initial energy that the first body vibrates with or takes
   double lost_to_second = 0.0;  ///< the same of the second, 0 at a wall. Of bodies unexcited before, the sum of
                                 ///< both is lost_fraction
   double dissipated = 0.0;      ///< part of both that their material takes
+  double yielded = 0.0;         ///< the same of plastic flow
   double tolerance = 0.0;       ///< asked for, relative to 1 − ε²
   double absolute = 0.0;        ///< error of 1 − ε² that is small enough in any case
   bool converged = false;       ///< whether one of them is met

@@ -46,6 +46,7 @@ struct Bounce {
   double contact_time = 0.0;         ///< R/c
   double flight_time = 0.0;          ///< after it, R/c
   bool short_flight = false;         ///< before it, too short for the vibration to keep clear of the wall
+  double dent = 0.0;                 ///< depth of the dent that plastic flow has left so far, R
   double strain = 0.0;               ///< as in Impact
   bool beyond_small_strain = false;  ///< as in Impact
 };

@@ -8,7 +8,6 @@
 #include "contact/faces/coats.hpp"
 #include "contact/faces/projected_areas.hpp"
 #include "contact/touch.hpp"
-#include "contact/unit_ratios.hpp"
 #include "stoss/contact/grid.hpp"
 
 namespace stoss {
@@ -44,23 +43,12 @@ double opening_constant(bool circle) {
   return circle ? line * 4.0 / std::numbers::pi : line;
 }
 
-std::vector<EdgeLaw::Relaxing> relaxing_bodies(const Contact& contact, double softness) {
-  std::vector<EdgeLaw::Relaxing> bodies;
-  for (int number = 0; number < 2; ++number) {
-    const auto body = body_of(contact, number);
-    if (body == nullptr || body->relaxation.terms.empty()) continue;
-    const UnitRatios units = units_of(contact, number);
-    bodies.push_back({body->softness * units.softness / softness, in_time(body->relaxation, units.time)});
-  }
-  return bodies;
-}
-
 EdgeLaw law_of_smooth_faces(const Contact& contact, const ContactGrid& grid, double speed) {
   EdgeLaw law;
   if (has_single_point(contact)) return law;
   const Touch met = touch(contact);
   law.loss_time = met.loss_time;
-  law.relaxing = relaxing_bodies(contact, met.softness);
+  law.relaxing = relaxing_bodies(contact);
   const double spacing = grid.points.spacing * grid.points.radius;
   const double constant = opening_constant(met.circle);
   for (std::size_t i = 0; i < grid.coordinate.size(); ++i) {
@@ -144,7 +132,7 @@ double EdgeLaw::pressed(const std::vector<double>& closure) {
 
 double EdgeLaw::modulus_at(double time) const {
   double compliance = 1.0;
-  for (const Relaxing& each : relaxing) {
+  for (const RelaxingBody& each : relaxing) {
     compliance += each.share * (1.0 / std::max(modulus_after(each.relaxation, time), least) - 1.0);
   }
   return 1.0 / compliance;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "contact/touch.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/contact/grid.hpp"
 
@@ -24,22 +25,16 @@ namespace stoss {
 /// acts. Where asperities are much longer than the gaps of the edge, its law leaves: edges are then smeared out over
 /// more than a spacing (docs/theory/roughness.md).
 struct EdgeLaw {
-  /// A body that relaxes, and its share of the softness of both.
-  struct Relaxing {
-    double share;
-    Relaxation relaxation;
-  };
-
-  std::vector<double> force;         ///< f* of each node
-  std::vector<double> gap;           ///< g* of each node, R
-  double asperities = 0.0;           ///< u₀, R; 0 between smooth faces
-  std::vector<double> edge_force{};  ///< what f* is between smooth faces, and
-  std::vector<double> edge_gap{};    ///< g*, as far as the edge is not smeared out; both of rough faces alone
-  double loss_time = 0.0;            ///< η of what meets, R/c
-  std::vector<Relaxing> relaxing{};  ///< bodies of what meets
-  double firmness = 1.0;             ///< by which all f* are multiplied at present (follow)
-  double opening = 1.0;              ///< the same of all g*
-  double shrinking = 0.0;            ///< for so long, R/c
+  std::vector<double> force;             ///< f* of each node
+  std::vector<double> gap;               ///< g* of each node, R
+  double asperities = 0.0;               ///< u₀, R; 0 between smooth faces
+  std::vector<double> edge_force{};      ///< what f* is between smooth faces, and
+  std::vector<double> edge_gap{};        ///< g*, as far as the edge is not smeared out; both of rough faces alone
+  double loss_time = 0.0;                ///< η of what meets, R/c
+  std::vector<RelaxingBody> relaxing{};  ///< of what meets
+  double firmness = 1.0;                 ///< by which all f* are multiplied at present (follow)
+  double opening = 1.0;                  ///< the same of all g*
+  double shrinking = 0.0;                ///< for so long, R/c
 
   /// Whether the law follows the edge of a lossy contact.
   [[nodiscard]] bool follows() const { return loss_time > 0.0 || !relaxing.empty(); }

@@ -167,7 +167,7 @@ ObliqueImpact CoupledCollision::result(const Rest& rest) const {
   normal.lost_fraction = 1.0 - normal.restitution * normal.restitution;
   history_.fill(contact_, frame_.speed, velocity(), normal);
   const KeptModes& even = modes_.first_block();
-  normal.final_state = {compression() - contact_.extent, velocity(), even.coordinate(), even.momentum()};
+  normal.final_state = {compression() - contact_.extent, velocity(), even.coordinate(), even.momentum(), 0.0};
   normal.max_force *= contact_.first->mass / whole_mass(*contact_.first);
   normal.energy.translation = 0.5 * frame_.mass * whole_velocity() * whole_velocity() / frame_.normal_energy;
   rest.apply(normal);

@@ -185,13 +185,14 @@ ObliqueImpact ObliqueFrame::joined(Impact normal, const Obliquity& before, Along
   ledger.vibration = share * (own.vibration - second) + after.vibration[0] / initial;
   ledger.second_vibration = share * second + after.vibration[1] / initial;
   ledger.dissipated = share * own.dissipated + after.dissipated / initial;
+  ledger.yielded = share * own.yielded;
   ledger.friction = after.friction / initial;
   ledger.unresolved = share * own.unresolved + after.unresolved / initial;
   ledger.stored = share * own.stored + after.stored / initial;
   note_turning(*this, result, normal);
   result.energy_error = 1.0 - ledger.translation - ledger.across - ledger.rotation - ledger.second_rotation -
-                        ledger.vibration - ledger.second_vibration - ledger.dissipated - ledger.friction -
-                        ledger.unresolved - ledger.stored;
+                        ledger.vibration - ledger.second_vibration - ledger.dissipated - ledger.yielded -
+                        ledger.friction - ledger.unresolved - ledger.stored;
   result.normal = std::move(normal);
   return result;
 }
