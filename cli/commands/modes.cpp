@@ -77,7 +77,7 @@ void add_modes(CLI::App& app) {
   CLI::App& command = *arguments.command;
   arguments.body.add_kind_to(command, {"disk", "sphere"});
   arguments.body.add_poisson_to(command);
-  arguments.body.add_material_to(command, false);
+  arguments.body.add_material_to(command);
   add(command, "--cutoff", arguments.cutoff, "Highest frequency in c/R, up to 1000 (default: 30)", "OMEGA",
       "Resolution");
   arguments.output.add_to(command);

@@ -137,10 +137,6 @@ void compressions(const QuasistaticArguments& arguments, const Of& of, const Yie
     throw InvalidInput::out_of_range("cutoff", "--cutoff with --compression", "only with --speed",
                                      "here all modes count");
   }
-  if (yielding.speed) {
-    throw InvalidInput::out_of_range("yield", "--yield with --compression", "only with --speed",
-                                     "give the speed, not the compression");
-  }
   const OutputOptions& output = arguments.output;
   constexpr double least = 1e-12, greatest = 0.5;  // of a static contact, R
   const std::vector<double> values = series_within(
@@ -216,7 +212,7 @@ void add_quasistatic(CLI::App& app) {
   CLI::App& command = *arguments.command;
   arguments.body.add_kind_to(command, {"disk", "sphere"});
   arguments.body.add_poisson_to(command);
-  arguments.body.add_material_to(command, true);
+  arguments.body.add_material_to(command);
   auto* speed = add(command, "--speed", arguments.speeds,
                     "Slow impacts at these speeds, in c (m/s with a material): a number,\n"
                     "a,b,c, log:a:b:n or lin:a:b:n; 1e-100 c (of a sphere 1e-12 c) to\n"

@@ -102,9 +102,18 @@ void BodyOptions::add_dynamics_to(CLI::App& command) {
   add(command, "--coat-poisson", numbers_["coat_poisson"], "Poisson's ratio of the coat (default: 0.3)", "NU", "Body");
   add(command, "--coat-quality", numbers_["coat_quality"],
       "Quality Q of the coat, the same at all frequencies (default: no loss)", "Q", "Body");
+  add(command, "--yield-strength", numbers_["yield_strength"],
+      "Yield strength of a sphere, from which on it yields: a model (default: 0,\nelastic); in its "
+      "modulus, with a material in Pa",
+      "Y", "Body");
+  add(command, "--yield-hardening", numbers_["yield_hardening"],
+      "By how much it grows for each unit of plastic strain, up to 0.03 of the\nmodulus (default: 0)", "H", "Body");
+  add(command, "--yield-rate", numbers_["yield_rate"],
+      "C of the strength at a rate of strain in 1/s, Y (1 + C ln(rate)):\na model (default: 0); with a material", "C",
+      "Body");
 }
 
-void BodyOptions::add_material_to(CLI::App& command, bool yield) {
+void BodyOptions::add_material_to(CLI::App& command) {
   const std::string group = heading(kinds_);
   add(command, "--material", material_,
       "A material of the list in place of --young, --density, --poisson:\nbearing steel, glass, ice, ... (stoss "
@@ -123,10 +132,6 @@ void BodyOptions::add_material_to(CLI::App& command, bool yield) {
   }
   add_choice(command, "--plane", plane_, {"stress", "strain"},
              "Shape of a disk: thin (stress) or a long cylinder (strain); default: stress", "PLANE", group);
-  if (!yield) return;
-  add(command, "--yield", yield_,
-      "Yield strength of a sphere in Pa; adds the speed at which it begins\nto yield, and flags values beyond it", "PA",
-      group);
 }
 
 /// Refuses options that belong to other kinds.
@@ -143,13 +148,12 @@ void BodyOptions::require_own(const Kind& its) const {
     require(name, value.has_value(), [&of](const Kind& each) { return parameter(each, of) != nullptr; });
   }
   require("plane", !plane_.empty(), [](const Kind& each) { return each.has_plane; });
-  require("yield", yield_.has_value(), [](const Kind& each) { return each.can_yield; });
   require("rigid-body", rigid_, [](const Kind& each) { return each.can_be_rigid; });
 }
 
 /// Whether there is something that only a body with a material has.
 bool BodyOptions::in_si() const {
-  return !material_.empty() || !plane_.empty() || yield_ || std::any_of(numbers_.begin(), numbers_.end(), [](auto& of) {
+  return !material_.empty() || !plane_.empty() || std::any_of(numbers_.begin(), numbers_.end(), [](auto& of) {
     return of.second && of.first != "poisson" && !is_of_whole(of.first);
   });
 }
@@ -178,11 +182,7 @@ Participant BodyOptions::body() const {
   if (has_poisson(body) && !body.values.contains("poisson") && material_.empty()) {
     throw CLI::RequiredError("--poisson");
   }
-  if (rigid_ && yield_) {
-    throw InvalidInput::out_of_range("yield", "--yield with --rigid-body", "only without",
-                                     "the second may have yield=");
-  }
-  if (in_si()) set_material(body, yield_, 0.0, "material");
+  if (in_si()) set_material(body, 0.0, "material");
   if (!relaxation_.empty()) body.relaxation = parse_relaxation("relaxation", relaxation_);
   take_young(body, young_is_);
   return body;
@@ -194,17 +194,12 @@ void take_young(Participant& of, const std::string& young_is) {
   take_young_as_relaxed(of);
 }
 
-void set_material(Participant& of, std::optional<double> yield, double poisson, const std::string& option) {
+void set_material(Participant& of, double poisson, const std::string& option) {
   if (!of.material_name.empty()) {
     const NamedMaterial& its = material_of_the_list(of.material_name);
     of.material_name = its.name, of.material = its.material;
   } else {
     const bool young = of.values.contains("young"), density = of.values.contains("density");
-    if (yield && !young && !density) {
-      throw InvalidInput::out_of_range(fmt::format("{}", option == "material" ? "yield" : option),
-                                       "yield without a material",
-                                       "only with young, density and radius, or with a named material");
-    }
     if (!young || !density) {
       throw InvalidInput::out_of_range(
           fmt::format("{}", option), fmt::format("{} without {}", of.kind, young ? "density" : "young"),
@@ -214,9 +209,6 @@ void set_material(Participant& of, std::optional<double> yield, double poisson, 
     if (const auto own = of.values.find("poisson"); own != of.values.end()) of.material->poisson = own->second;
     for (const char* own : {"young", "poisson", "density"}) of.values.erase(own);
   }
-  if (!yield) return;
-  of.material->yield_strength = yield;
-  of.material_name.clear();
 }
 
 }  // namespace stoss::cli

@@ -20,7 +20,6 @@ namespace {
 std::vector<std::string> keys_of(const Kind& its) {
   std::vector<std::string> keys;
   for (const Parameter& each : its.parameters) keys.emplace_back(each.name);
-  if (its.can_yield) keys.emplace_back("yield");
   if (its.can_be_rigid) keys.emplace_back("rigid");
   if (!its.wall) keys.insert(keys.end(), {"relaxation", "young_is", "material"});
   return keys;
@@ -51,7 +50,6 @@ Participant parse_numbers(const Kind& its, const std::vector<std::string>& parts
                           const std::vector<std::string>& keys, const Participant& first, std::string& young_is) {
   const std::string name(its.name);
   Participant against{.kind = name, .plane = first.plane};
-  std::optional<double> yield;
   std::string relaxation;
   for (const auto& [key, value] : parse_keys("against", parts, from, keys, " with " + name)) {
     if (key == "material") {
@@ -64,9 +62,7 @@ Participant parse_numbers(const Kind& its, const std::vector<std::string>& parts
       if (std::find(words.begin(), words.end(), young_is) == words.end()) {
         refuse_word("against young_is", young_is, words);
       }
-    } else if (const double number = parse_number("against " + key, value); key == "yield") {
-      yield = number;
-    } else if (key == "rigid") {
+    } else if (const double number = parse_number("against " + key, value); key == "rigid") {
       if (number != 0.0 && number != 1.0) {
         throw InvalidInput::out_of_range("against rigid", shortened(value), "0 or 1", "1 of a rigid body");
       }
@@ -75,9 +71,9 @@ Participant parse_numbers(const Kind& its, const std::vector<std::string>& parts
       against.values[key] = number;
     }
   }
-  const bool in_si = first.material || yield || !against.material_name.empty();
+  const bool in_si = first.material || !against.material_name.empty();
   if (in_si && !its.wall && meets(kind(first.kind), its)) {
-    set_material(against, yield, first.material ? first.material->poisson : 0.0, "against");
+    set_material(against, first.material ? first.material->poisson : 0.0, "against");
   }
   if (!relaxation.empty()) against.relaxation = parse_relaxation("against relaxation", relaxation);
   return against;
@@ -114,7 +110,7 @@ Participant parse_against(const std::string& text, const Participant& first) {
 void EncounterOptions::add_to(CLI::App& to, const std::string& note) {
   first.add_kind_to(to, {"sphere", "disk", "rod"}, true);
   first.add_dynamics_to(to);
-  first.add_material_to(to, true);
+  first.add_material_to(to);
   std::string help =
       "What the body meets (default: wall); numbers in units of the first, or\nin SI if it has a material";
   std::vector<std::string_view> names;

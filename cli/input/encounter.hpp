@@ -25,11 +25,11 @@ class BodyOptions {
   void add_kind_to(CLI::App& command, const std::vector<std::string>& kinds, bool files = false);
 
   /// --rigid-body, how the material loses energy (--loss-time, --quality, --relaxation, --young-is) and how rough its
-  /// face is (--roughness, --u0).
+  /// face is (--roughness, --u0), its coat, and from which stress on it yields.
   void add_dynamics_to(CLI::App& command);
 
-  /// Sizes and material in SI. @param yield whether --yield is one of them
-  void add_material_to(CLI::App& command, bool yield);
+  /// Sizes and material in SI.
+  void add_material_to(CLI::App& command);
 
   /// Poisson's ratio, for a command that has an option of its own for it.
   void set_poisson(double value) { numbers_["poisson"] = value; }
@@ -47,7 +47,6 @@ class BodyOptions {
   std::vector<std::string> kinds_;
   std::string kind_ = "sphere";
   std::map<std::string, std::optional<double>> numbers_;  // by parameter
-  std::optional<double> yield_;
   std::string material_, plane_, relaxation_, young_is_;
   bool rigid_ = false;
 };
@@ -68,7 +67,7 @@ class BodyOptions {
 /// @param poisson of a material without its own
 /// @param option  named by refusals
 /// @throws InvalidInput for a name that is not known, and for a material that is not whole
-void set_material(Participant& of, std::optional<double> yield, double poisson, const std::string& option);
+void set_material(Participant& of, double poisson, const std::string& option);
 
 /// Takes the modulus of a body as "instantaneous" or "relaxed". @throws InvalidInput without a relaxation
 void take_young(Participant& of, const std::string& young_is);

@@ -39,14 +39,16 @@ restitution --body disk --poisson 0.3,0.2 --speed 1 --young 1e9 --density 1000 -
 restitution {DISK} --speed 1 --young 1e9 | material: got disk without density, allowed young, density and sizes
 restitution {DISK} --speed 1 --plane strain | material: got disk without young
 restitution {SOLID} --speed 10000 | speed: got 10000, allowed 5.1722e-05 to 5172.19 m/s
-restitution {BALL} --speed 0.1 --yield 1e9 | yield: got yield without a material
+restitution {BALL} --speed 0.1 --yield-strength 1e9 | yield_strength: got 1000000000, allowed 0 to 1
+restitution {BALL} --speed 0.1 --yield-strength 1e-4 | speed: got 0.1 c, allowed up to
+restitution {BALL} --speed 0.1 --yield-rate 0.1 | yield_strength: missing (there is a yield_rate)
 restitution --body rod --speed 0.1 --poisson 0.3 | poisson: got --poisson with --body rod
 restitution --body rod --speed 0.1 --rigid-body | rigid-body: got --rigid-body with --body rod, allowed only with --body sphere or disk
 restitution --body rod --speed 0.1 --young 1e9 --density 1e3 --length 1 | area: missing (a material needs it too, in m^2)
-restitution {SOLID} --speed 1 --yield 1e9 --rigid-body --against half-space,young=1e9,density=1e3 | yield: got --yield with --rigid-body
+restitution {SOLID} --speed 1 --yield-strength 1e9 --rigid-body --against half-space,young=1e9,density=1e3 | yield_strength: 'rigid sphere poisson=0.3' is rigid, and does not yield
 restitution {BALL} --speed 0.1 --against spere | against: got 'spere', allowed wall, same, disk, sphere, rod, half-space, half-plane, plate, strip, exponential, did you mean sphere?
 restitution {BALL} --speed 0.1 --against disk | against: got disk for a sphere, allowed wall, same, sphere, half-space, plate or modal
-restitution {BALL} --speed 0.1 --against sphere,length=2 | against: got 'length', allowed poisson, radius, young, density, loss_time, quality, roughness, u0, coat, coat_young, coat_poisson, coat_quality, yield, rigid, relaxation, young_is, material with sphere
+restitution {BALL} --speed 0.1 --against sphere,length=2 | against: got 'length', allowed poisson, radius, young, density, loss_time, quality, roughness, u0, coat, coat_young, coat_poisson, coat_quality, yield_strength, yield_hardening, yield_rate, rigid, relaxation, young_is, material with sphere
 restitution {BALL} --speed 0.1 --against sphere,raduis=2 | against: got 'raduis'
 restitution {BALL} --speed 0.1 --against sphere, | against: got ''
 restitution {BALL} --speed 0.1 --against , | against: got ''
@@ -56,7 +58,7 @@ restitution {BALL} --speed 0.1 --against sphere,radius= | against radius: got ''
 restitution {BALL} --speed 0.1 --against sphere,radius=2=3 | against radius: got '2=3'
 restitution {BALL} --speed 0.1 --against sphere,radius=-2 | against radius: got -2
 restitution {BALL} --speed 0.1 --against sphere,radius=1e4 | radius ratio: got 10000
-restitution {BALL} --speed 0.1 --against sphere,yield=1e9 | against: got yield without a material
+restitution {BALL} --speed 0.1 --against sphere,yield=1e9 | against: got 'yield'
 restitution {BALL} --speed 0.1 --against half-space,material=glass | against: has a material, but the first body is dimensionless
 restitution {SOLID} --speed 1 --against sphere,radius=2 | against: got sphere without young
 restitution {SOLID} --speed 1 --against half-space,material=glass,young=1 | against young: the material has it already
@@ -101,7 +103,6 @@ quasistatic {DISK} --speed 0.1 --cutoff 1 | cutoff: got 1,
 quasistatic {DISK} --compression 0.01,0.3 | compression: got 0.3, allowed 1e-12 to 0.263448 R
 quasistatic {BALL} --compression lin:0.1:0.5:4 | compression: got 0.366667 of 'lin:0.1:0.5:4', allowed 1e-12 to 0.280321 R
 quasistatic {BALL} --compression 0.01 --cutoff 10 | cutoff: got --cutoff with --compression
-quasistatic {SOLID} --compression 1e-5 --yield 1e9 | yield: got --yield with --compression
 quasistatic {DISK} --speed 0.1 --law hertz | law: got hertz with --body disk, allowed center or diameter
 quasistatic {BALL} --speed 0.1 --law diameter | law: got diameter with --body sphere, allowed center or hertz
 predict --body disk --poisson 0.3 --young 2e11 --density 7800 --radius 0.01 --speed 1 | body: got a disk

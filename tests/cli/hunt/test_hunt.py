@@ -15,8 +15,8 @@ KNOWN = []
 PLAIN = {"help", "quiet", "output", "resume", "threads", "trajectory", "every", "format"}
 # Those that follow from the kinds or that a command must have.
 DRAWN = {"body", "poisson", "rigid-body", "loss-time", "quality", "relaxation", "young-is", "material", "radius", "young", "density", "length", "area",
-         "plane", "yield", "against", "speed", "height", "angle", "tangential", "friction", "mode", "flight-time",
-         "gravity", "temperature", "roughness", "u0", "coat", "coat-young", "coat-poisson", "coat-quality", "spectrum", "compression", "ratio", "oblique", "predict"}
+         "plane", "against", "speed", "height", "angle", "tangential", "friction", "mode", "flight-time",
+         "gravity", "temperature", "roughness", "u0", "coat", "coat-young", "coat-poisson", "coat-quality", "yield-strength", "yield-hardening", "yield-rate", "spectrum", "compression", "ratio", "oblique", "predict"}
 
 
 @pytest.fixture(scope="module")
