@@ -107,12 +107,12 @@ def of_solids(solids: Any, fields_of: Any, kinds: Any) -> str:
 def stubs() -> dict[str, str]:
     """All of them, by their places in the package that can be imported."""
     from stoss import _core
-    from stoss.bodies import _solid, _solids
+    from stoss.bodies import _kinds, _solids
     from stoss.results import _quantities
 
     return {
         "_core.pyi": of_core(_core),
-        "bodies/_solids.pyi": of_solids(_solids, _solid.fields_of, _solid.KINDS),
+        "bodies/_solids.pyi": of_solids(_solids, _kinds.fields_of, _kinds.KINDS),
         "results/_quantities.pyi": of_quantities(_quantities),
     }
 

@@ -8,10 +8,9 @@ import numpy as np
 import stoss
 
 Q = stoss.quasistatic
-STEEL = "--young 2.1e11 --density 7850 --yield 1e9"
-HARD = stoss.Material(young=2.1e11, poisson=0.3, density=7850, yield_strength=1e9)
-BALL, DISK = stoss.Sphere(radius=0.01, material=HARD), stoss.Disk(radius=0.01, material=HARD)
+STEEL = "--young 2.1e11 --density 7850"
 BAR = stoss.Material(young=2.1e11, poisson=0.3, density=7850)
+BALL, DISK = stoss.Sphere(radius=0.01, material=BAR), stoss.Disk(radius=0.01, material=BAR)
 ROD = stoss.Rod(length=0.5, area=1e-4, material=BAR)
 OF_A_BALL = f"--body sphere --poisson 0.3 --radius 0.01 {STEEL}"
 OF_A_ROD = "--body rod --length 0.5 --area 1e-4 --young 2.1e11 --density 7850"
@@ -54,8 +53,11 @@ RESULTS = {
     "impact": (lambda: stoss.impact(DISK, speed=1.0, cutoff=20), f"impact --speed 1 --cutoff 20 {OF_A_DISK}"),
     "impact-rod": (lambda: stoss.impact(ROD, speed=1.0, cutoff=20), f"impact --speed 1 --cutoff 20 {OF_A_ROD}"),
     "impact-balls": (
-        lambda: stoss.impact(BALL, speed=1.0, cutoff=20, against=stoss.Sphere(radius=0.02, material=HARD)),
-        f"impact --speed 1 --cutoff 20 {OF_A_BALL} --against sphere,radius=0.02,young=2.1e11,density=7850,yield=1e9"),
+        lambda: stoss.impact(BALL, speed=1.0, cutoff=20, against=stoss.Sphere(radius=0.02, material=BAR)),
+        f"impact --speed 1 --cutoff 20 {OF_A_BALL} --against sphere,radius=0.02,young=2.1e11,density=7850"),
+    "restitution-yielding": (
+        lambda: stoss.restitution(stoss.Sphere(radius=0.01, material=BAR, yield_strength=1e9), speed=[0.1, 1.0]),
+        f"restitution --speed 0.1,1 {OF_A_BALL} --yield-strength 1e9"),
     "restitution-strain": (
         lambda: stoss.restitution(stoss.Disk(radius=0.01, material=BAR, plane="strain"), speed=[5.0, 50.0]),
         f"restitution --speed 5,50 --plane strain {OF_A_DISK}"),

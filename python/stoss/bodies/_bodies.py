@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import Union
 
 from stoss.bodies._modal import ModalBody
-from stoss.bodies._solid import FACE, KINDS, is_rigid
+from stoss.bodies._faces import FACE
+from stoss.bodies._kinds import KINDS
+from stoss.bodies._solid import is_rigid
 from stoss.bodies._solids import Disk as Disk, Rod as Rod, Sphere as Sphere
 from stoss.bodies._walls import UNBOUNDED, Unbounded
 

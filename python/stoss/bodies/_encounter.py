@@ -14,7 +14,10 @@ from stoss._arguments import choice, instance, number, refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import BODIES, PARTNERS, Body, Disk, Sphere
 from stoss.bodies._material import NAMES
-from stoss.bodies._solid import KINDS, LOSSES, Solid, Specification, describe, is_rigid, losses_of
+from stoss.bodies._faces import has_rate
+from stoss.bodies._kinds import KINDS, Specification
+from stoss.bodies._losses import LOSSES, losses_of
+from stoss.bodies._solid import Solid, describe, is_rigid
 from stoss.bodies._walls import UNBOUNDED, WALLS, HardWall, Unbounded, Wall
 
 
@@ -96,12 +99,14 @@ def encounter(body: Body, against: Against) -> _core.Encounter:
 
 def _document(body: Body, against: Against) -> str:
     if isinstance(against, PARTNERS):
-        # What a file holds is in SI, and so are losses of layers by themselves and the frequency of a quality.
-        in_si = any(KINDS[each._kind].from_file or (each.material and (each.quality or each.loss_time is None))
+        # What a file holds is in SI, and so are losses of layers by themselves, the frequency of a quality and rates.
+        in_si = any(KINDS[each._kind].from_file or has_rate(each) or (each.material and (each.quality or each.loss_time is None))
                     for each in (body, against))
         first, second = (describe(each) if in_si else each._numbers() for each in (body, against))
         return json.dumps({"first": first, "against": second})
-    # A body by itself is in its own units, one of a file in SI.
+    # A body by itself is in its own units, one of a file in SI, and one whose strength knows rates of strain.
+    if has_rate(body):
+        return json.dumps({"first": describe(body), "against": against._document(1.0)})
     per = 1.0 if KINDS[body._kind].from_file else getattr(body, "radius", None) or getattr(body, "length")
     return json.dumps({"first": body._numbers_at_wall(), "against": against._document(per)})
 

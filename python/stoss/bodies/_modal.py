@@ -16,7 +16,9 @@ from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._material import Material
 from stoss.bodies._modal_file import read_document, write_document
-from stoss.bodies._solid import FACE, Solid, Specification, face_of
+from stoss.bodies._faces import FACE, face_of
+from stoss.bodies._kinds import Specification
+from stoss.bodies._solid import Solid
 
 FORMAT = "stoss modal body 1"
 NUMBERS = ("mass", "young", "poisson", "density", "compliance", "loss_time", "compliance_error", "complete_to")
@@ -64,7 +66,9 @@ class ModalBody(Solid):
             point along the normal and along the surface at once.
         tangential_displacement (array_like, optional): Displacement of each mode along that direction, kg^(−1/2).
         tangential_displacement_curvature, tangential_displacement_error (array_like, optional): As above.
-        roughness, u0 (float, optional): How rough its face is, as of other bodies, in m; not in its file.
+        roughness, u0, coat, coat_young, coat_poisson, coat_quality (float, optional): How rough its face is, and
+            its coat, as of other bodies, in m and Pa; not in its file.
+        yield_strength, yield_hardening, yield_rate (float, optional): From which stress on it yields, Pa; not in its file.
         name, origin (str, optional): What it is, and where its numbers come from.
         material (Material): Not to be given: that of `young`, `poisson` and `density`.
 
@@ -107,6 +111,9 @@ class ModalBody(Solid):
     coat_young: float = 0.0
     coat_poisson: float = 0.3
     coat_quality: float = 0.0
+    yield_strength: float = 0.0
+    yield_hardening: float = 0.0
+    yield_rate: float = 0.0
     name: str = "modal body"
     origin: str = ""
 
@@ -160,8 +167,8 @@ class ModalBody(Solid):
     def __hash__(self) -> int:
         return hash(self._key())
 
-    def _key(self) -> tuple[str, float, float]:
-        return vars(self)["_text"], self.roughness, self.u0
+    def _key(self) -> tuple[str, frozenset[tuple[str, float]]]:
+        return vars(self)["_text"], frozenset(face_of(self).items())
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _again, (self.to_dict(), face_of(self))
@@ -227,7 +234,7 @@ class ModalBody(Solid):
         return tuple(_again(each, face_of(self)) for each in bodies)
 
     def with_face(self, **face: float) -> ModalBody:
-        """Return it with another `roughness` or `u0`; without any, as it is."""
+        """Return it with another roughness or coat: `roughness`, `u0`, `coat` …; without any, as it is."""
         return _again(self.to_dict(), {**face_of(self), **face}) if face else self
 
     def _numbers(self) -> Specification:

@@ -5,8 +5,7 @@ from __future__ import annotations
 import dataclasses
 import functools
 import json
-from types import MappingProxyType
-from typing import Any, ClassVar, Mapping, NamedTuple, TypeVar
+from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,87 +14,13 @@ from stoss import _core
 from stoss._arguments import boolean, brief, instance, number, refusal
 from stoss._documentation import with_fields
 from stoss._errors import InvalidInput
+from stoss.bodies._faces import FACE, SMOOTH, face_of
+from stoss.bodies._kinds import KINDS, Parameter, Specification, fields_of
+from stoss.bodies._losses import LOSSES, NO_LOSSES, losses_in, losses_of
 from stoss.bodies._material import Material, Relaxation as Relaxation, Scales, relaxation_of, young_of
-
-Specification = dict[str, Any]
-"""A body, a block or a wall in plain types, as an encounter's JSON document has it."""
-
 
 LEFT_OUT: Any = None
 """A number that was not given: the material has it, or the core a usual one."""
-
-
-class Parameter(NamedTuple):
-    """A number that makes something of a kind, as the core has it."""
-
-    name: str
-    unit: str
-    otherwise: float | None
-    low: float
-    high: float
-    low_included: bool
-    of_material: bool
-
-
-class Kind(NamedTuple):
-    """What can meet, as the core has it."""
-
-    name: str
-    wall: bool
-    bounded: bool
-    can_be_rigid: bool
-    has_plane: bool
-    from_file: bool
-    parameters: tuple[Parameter, ...]
-
-
-KINDS: Mapping[str, Kind] = MappingProxyType(
-    {each[0]: Kind._make([*each[:-1], tuple(map(Parameter._make, each[-1]))]) for each in _core.kinds()}
-)
-
-
-def fields_of(kind: Kind) -> dict[str, str]:
-    """Fields of the class of a kind, with their types."""
-    fields = {each.name: "float" for each in kind.parameters}
-    if not kind.bounded and "poisson" in fields:
-        fields["poisson"] = "float | None"  # it may be that of what a block meets
-    fields |= {"relaxation": "Relaxation | None"} if not kind.wall else {}
-    fields["material"] = "Material | None"
-    fields |= {"plane": "str | None"} if kind.has_plane else {}
-    return fields | ({"rigid": "bool"} if kind.can_be_rigid else {})
-
-
-LOSSES = ("loss_time", "quality", "relaxation")
-NO_LOSSES: Mapping[str, Any] = MappingProxyType({"loss_time": 0.0, "quality": 0.0, "relaxation": None})
-"""How a material loses energy: in one of these ways."""
-
-LENGTHS_OF_FACE = ("roughness", "u0", "coat")
-FACE = (*LENGTHS_OF_FACE, "coat_young", "coat_poisson", "coat_quality")
-SMOOTH: Mapping[str, Any] = MappingProxyType({**dict.fromkeys(FACE, 0.0), "coat_poisson": 0.3})
-"""How rough a face is, and its coat; those of a bare smooth one."""
-
-
-def losses_of(material: Material) -> dict[str, Any]:
-    """Those of a material."""
-    numbers = {name: getattr(material, name) or 0.0 for name in ("loss_time", "quality")}
-    return {**numbers, "relaxation": material.relaxation}
-
-
-def face_of(solid: Any, length: float = 1.0, modulus: float = 1.0) -> Specification:
-    """What its face is like; nothing of a bare smooth one. @param length,modulus units of its numbers"""
-    units = {**dict.fromkeys(LENGTHS_OF_FACE, length), "coat_young": modulus}
-    its = {name: getattr(solid, name, SMOOTH[name]) for name in FACE}
-    return {name: value / units.get(name, 1.0) for name, value in its.items() if value != SMOOTH[name]}
-
-
-def is_rough(solid: Any) -> bool:
-    """Whether it has a rough or coated face."""
-    return bool(face_of(solid))
-
-
-def relaxes(solid: Any) -> bool:
-    """Whether it loses energy otherwise than by a loss time."""
-    return bool(getattr(solid, "quality", 0.0) or getattr(solid, "relaxation", None))
 
 
 class Solid:
@@ -113,6 +38,14 @@ class Solid:
         roughness (float, optional): Height (rms) of the elastic asperities of its face, in the unit of the
             sizes, for what has none in R of the first body; 0: smooth. Their length u₀ is 0.45 of it (± 0.05).
         u0 (float, optional): In place of it: u₀, as in a pressure of p₀ e^(−gap/u₀), up to R of the first body.
+        coat (float, optional): Thickness of a thin soft layer on its face, in the unit of the sizes; 0: bare.
+        coat_young, coat_poisson, coat_quality (float, optional): Young's modulus of the coat, in the unit of
+            `young`, its Poisson's ratio (0.3), and its quality Q, 3 to 1e9 (elastic).
+        yield_strength (float, optional): From which stress on it yields, in simple tension, in the unit of
+            `young`; 0: it is elastic. Of balls, blocks and plates: a model.
+        yield_hardening (float, optional): By how much it grows for each unit of plastic strain, in the unit of
+            `young`, up to 0.03 of it; 0.
+        yield_rate (float, optional): C of the strength at a rate of strain above 1/s, Y (1 + C ln(rate)).
         material (Material): In place of `poisson`, `young` and `density`; for what meets a body
             that has one.
         rigid (bool, optional): Young's modulus is infinite. The body keeps its mass, and the given
@@ -260,12 +193,6 @@ def describe(solid: Solid) -> Specification:
     losses = losses_in(solid) if "loss_time" in given else {}
     its = {name: value for name, value in usual.items() if name not in (*LOSSES, *FACE)}
     return {"kind": solid._kind, **its, **losses, **face_of(solid)}
-
-
-def losses_in(solid: Solid) -> Specification:
-    """How it loses energy; a loss time of 0 only where it does not relax, nothing where each layer does so by itself."""
-    its = {name: getattr(solid, name) for name in LOSSES if getattr(solid, name, None)}
-    return its or ({"loss_time": solid.loss_time} if solid.loss_time is not None else {})
 
 
 @functools.lru_cache(maxsize=64)

@@ -10,9 +10,10 @@ from stoss import _core
 from stoss._arguments import brief, instance, number, refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._material import Material, Relaxation
-from stoss.bodies._solid import (
-    FACE, LEFT_OUT, LOSSES, NO_LOSSES, Endless, Parameter, Solid, Specification, describe, face_of, losses_in, losses_of,
-)
+from stoss.bodies._faces import FACE, face_of
+from stoss.bodies._kinds import Parameter, Specification
+from stoss.bodies._losses import LOSSES, NO_LOSSES, losses_in, losses_of
+from stoss.bodies._solid import LEFT_OUT, Endless, Solid, describe
 from stoss.bodies._solids import HalfPlane as HalfPlane, HalfSpace as HalfSpace, Strip as Strip
 
 
@@ -91,6 +92,9 @@ class Plate(Endless):
     coat_young: float = LEFT_OUT
     coat_poisson: float = LEFT_OUT
     coat_quality: float = LEFT_OUT
+    yield_strength: float = LEFT_OUT
+    yield_hardening: float = LEFT_OUT
+    yield_rate: float = LEFT_OUT
     relaxation: Relaxation | None = None
     material: Material | None = None
     layers: Sequence[Layer] | None = None

@@ -17,7 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss._arguments import arranged, numbers, refusal
 from stoss._documentation import documented
-from stoss.bodies._solid import is_rough, relaxes
+from stoss.bodies._faces import is_rough
+from stoss.bodies._losses import relaxes
 from stoss.bodies._bodies import Body, Disk, Sphere
 from stoss.bodies._encounter import Against, choose_against, choose_body
 from stoss.bodies._walls import UNBOUNDED, HalfPlane, HalfSpace, HardWall, Unbounded

@@ -51,7 +51,7 @@ def trajectory(self: ComputedImpact, *, every: int = 1) -> Trajectory:
     rows = integer("every", every)
     if rows < 1:
         raise InvalidInput.out_of_range("every", rows, "1 or more", "steps between two rows")
-    size = 72.0 * (self.steps // rows + 2)
+    size = 80.0 * (self.steps // rows + 2)
     require_memory("every", f"{rows} for {self.steps} steps", size, "give a larger one")
     return Trajectory(impact=self, **columns(self._handle.trajectory(self._contact(), rows)))
 

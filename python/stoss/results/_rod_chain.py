@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss._arguments import boolean, choice, integer, number, numbers, optional_number, refusal
 from stoss._errors import Interrupted, InvalidInput, NotConverged
-from stoss.bodies._solid import relaxes
+from stoss.bodies._losses import relaxes
 from stoss.bodies._bodies import Rod
 from stoss.bodies._encounter import choose_tail
 from stoss.export._tables import span

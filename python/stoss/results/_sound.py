@@ -15,7 +15,7 @@ from stoss._arguments import integer, number, optional_number, refusal, require_
 from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import BODIES, shown
-from stoss.bodies._solid import relaxes
+from stoss.bodies._losses import relaxes
 from stoss.export._files import whole_file
 from stoss.results._computed_impact import ComputedImpact
 

@@ -15,7 +15,9 @@ from typing import Any, Iterator, Mapping
 from stoss._arguments import refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._modal import ModalBody
-from stoss.bodies._solid import FACE, KINDS, Solid, Specification, describe, face_of
+from stoss.bodies._faces import FACE, face_of
+from stoss.bodies._kinds import KINDS, Specification
+from stoss.bodies._solid import Solid, describe
 from stoss.export._files import of_json, write_lines
 
 DIGEST = "sha256"

@@ -15,7 +15,8 @@ from stoss._arguments import integer, number, refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body
 from stoss.bodies._encounter import Against, material_warnings_of, yield_speed_of, yield_warning_of
-from stoss.bodies._solid import Solid, Specification, own_units
+from stoss.bodies._kinds import Specification
+from stoss.bodies._solid import Solid, own_units
 from stoss.bodies._state import choose_state
 from stoss.results._obliquity import choose_motion
 from stoss.results._quantities import QUANTITIES

@@ -16,7 +16,8 @@ from stoss._arguments import integer, numbers, open_file, refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body
 from stoss.bodies._encounter import choose_against, choose_body, refinable
-from stoss.bodies._solid import KINDS, Specification, describe
+from stoss.bodies._kinds import KINDS, Specification
+from stoss.bodies._solid import describe
 from stoss.bodies._walls import Unbounded, Wall
 from stoss.export import _files
 from stoss.sweeps._computation import Case, Computation, case_of, choose_computation

@@ -18,7 +18,9 @@ from stoss.bodies._bodies import PARTNERS, Body
 from stoss.bodies._material import Material, materials
 from stoss.bodies._modal import ModalBody
 from stoss.bodies._walls import WALLS as MADE_WALLS, ExponentialWall, HardWall, Layer
-from stoss.bodies._solid import FACE, KINDS, SMOOTH, Solid, Specification, describe
+from stoss.bodies._faces import FACE, SMOOTH
+from stoss.bodies._kinds import KINDS, Specification
+from stoss.bodies._solid import Solid, describe
 from stoss.export._files import of_json
 
 SOLIDS: tuple[type[Solid], ...] = PARTNERS

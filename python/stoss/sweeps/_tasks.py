@@ -18,7 +18,7 @@ import numpy as np
 from stoss import _core
 from stoss._errors import InvalidInput
 from stoss.bodies._encounter import choose_against, refinable
-from stoss.bodies._solid import Specification
+from stoss.bodies._kinds import Specification
 from stoss.export._tables import cell, known
 from stoss.sweeps import _store
 from stoss.sweeps._bodies import resolved

@@ -139,6 +139,6 @@ def test_curves_have_ledgers():
     assert fan[1].energy[2].across == fan.energy.across[1, 2]
     one = stoss.oblique(BALL, speed=0.05, angle=60, friction=0.2)
     assert one.energy.rotation == fan.energy.rotation[1, 2] and isinstance(one.energy.rotation, float)
-    assert one.energy.to_dataframe().shape == (1, 10) and len(fan.energy.to_dict()["friction"]) == 2
+    assert one.energy.to_dataframe().shape == (1, 11) and len(fan.energy.to_dict()["friction"]) == 2
     with pytest.raises(TypeError):
         len(one.energy)

@@ -31,7 +31,7 @@ ELASTIC = {
 }
 YIELDS = (
     r"^the ball yields above 0\.0\d+ m/s \(you asked for 1 m/s, \d+ times that\): the real rebound is much lower; "
-    "use stoss predict$"
+    "give a yield_strength, or use stoss predict$"
 )
 SOUND = "granite is taken as sound, smooth, dry and uncracked: measured losses are often ten times as large and more"
 
