@@ -59,7 +59,7 @@ export interface Restitution {
 
 /** What a collision has for every instant; energies are shares of the initial one. */
 type Instants = 'time' | 'velocity' | 'force' | 'contact_half_width'
-  | 'translation' | 'vibration' | 'stored' | 'dissipated' | 'unresolved';
+  | 'translation' | 'vibration' | 'stored' | 'dissipated' | 'yielded' | 'unresolved';
 
 /** One impact in time, at a cutoff: `stoss impact --cutoff` computes the same. Times are in
  *  `units.time`, from the start of the impact, just out of contact. */

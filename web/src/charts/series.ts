@@ -45,7 +45,7 @@ export function panelsOf(collision: Collision | ObliqueCollision): Panel[] {
     seriesOf(collision, { force: 'time.force_line' }), seriesOf(collision, { velocity: 'time.velocity_line' }),
     seriesOf(collision, {
       translation: 'time.translation', vibration: 'time.vibration', stored: 'time.stored', dissipated: 'time.dissipated',
-      unresolved: 'time.unresolved',
+      yielded: 'time.yielded', unresolved: 'time.unresolved',
     }),
   ] as const;
   const { units } = collision;
@@ -107,7 +107,8 @@ export function summaryOf(collision: Collision | ObliqueCollision): string {
   const shares = 'across' in collision
     ? panelsOf(collision).at(-1)!.series.map(({ label, values }) => energy(label, values))
     : [energy(say('time.translation'), collision.translation), energy(say('time.vibration'), collision.vibration),
-      ...(collision.dissipated.at(-1)! > 0 ? [energy(say('time.dissipated'), collision.dissipated)] : [])];
+      ...(collision.dissipated.at(-1)! > 0 ? [energy(say('time.dissipated'), collision.dissipated)] : []),
+      ...(collision.yielded.at(-1)! > 0 ? [energy(say('time.yielded'), collision.yielded)] : [])];
   return say('time.summary', {
     force: withUnit(force[most]!, units.force), time: withUnit(time[most]!, units.time), shares: shares.join(', '),
     end: withUnit(collision.end, units.time), before: withUnit(velocity[0]!, units.velocity),

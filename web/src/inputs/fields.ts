@@ -123,6 +123,7 @@ export const names: Record<BodyField, [symbol: string, key: string]> = {
   poisson: ['ν', 'nu'], young: ['E', 'E'], density: ['ρ', 'rho'], radius: ['R', 'R'], length: ['L', 'R'],
   area: ['A', 'A'], thickness: ['h', 'h'], loss_time: ['η', 'eta'], quality: ['Q', 'Q'], relaxation: ['E(t)', 'relax'],
   roughness: ['h', 'rough'], coat: ['h', 'coat'], coat_young: ['E', 'Ec'], coat_poisson: ['ν', 'nuc'], coat_quality: ['Q', 'Qc'],
+  yield_strength: ['Y', 'Y'],
 };
 
 /** What the page says of a field. */

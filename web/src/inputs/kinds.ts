@@ -13,7 +13,7 @@ export type Block = Extract<Row, { solid: true; bounded: false; hasPlane: false 
 /** What makes a body or a block: a number, or how its material relaxes. */
 export type BodyField = Extract<Row, { solid: true }>['parameters'][number]['name'];
 export type NumberField = Exclude<BodyField, 'relaxation'>;
-type FaceField = Extract<NumberField, 'roughness' | `coat${string}`>;
+type FaceField = Extract<NumberField, 'roughness' | 'yield_strength' | `coat${string}`>;
 
 /** Shares of the modulus E(0) that relax, and their times. */
 export type Relaxation = readonly (readonly [share: number, time: number])[];
@@ -73,8 +73,9 @@ export function blockOf(kind: BodyKind, against: string): Kind | undefined {
 /** Whether it is the loss of a material. A body has one of them at most. */
 export const isLossName = (name: string): boolean => ['loss_time', 'quality', 'relaxation'].includes(name);
 
-/** Whether it says how rough a face is, or with what it is coated; and whether it counts only of one that is. */
-export const isFaceName = (name: string): boolean => name === 'roughness' || name.startsWith('coat');
+/** Whether it says how rough a face is, with what it is coated, or from which stress on it yields; and whether it counts
+ *  only of one with a coat. */
+export const isFaceName = (name: string): boolean => ['roughness', 'yield_strength'].includes(name) || name.startsWith('coat');
 export const isOfCoat = (name: string): boolean => name.startsWith('coat_');
 
 /** What a kind is made of, in the order of the page: the material, the size, the loss, the face. */

@@ -38,6 +38,7 @@ function inWords({ kind, si, body, second, fields, material, strain, file }: Sid
     ...(body.relaxation.length > 0 ? [`E(t) ${textOf(body.relaxation)}`] : []),
     ...(body.roughness !== 0 ? [say('encounter.rough', { height: inUnit(body.roughness, si) })] : []),
     ...(body.coat !== 0 ? [say('encounter.coat', { thickness: inUnit(body.coat, si) })] : []),
+    ...(body.yield_strength !== 0 ? [say('encounter.yields', { stress: withPrefix(body.yield_strength, si ? 'Pa' : '') })] : []),
     ...(strain && !second ? [say('encounter.strain')] : []),
   ].join(' ');
 }

@@ -26,7 +26,7 @@ function changed({ relaxation, ...numbers }: Body, change: (value: number, name:
 /** The unit of what is of a face; undefined of all else. */
 function unitOfFace(name: NumberField, length: number, modulus: number): number | undefined {
   if (!isFaceName(name)) return undefined;
-  return name === 'coat_young' ? modulus : ['roughness', 'coat'].includes(name) ? length : 1;
+  return ['coat_young', 'yield_strength'].includes(name) ? modulus : ['roughness', 'coat'].includes(name) ? length : 1;
 }
 
 /** The same impact in units of the first body: ε stays what it is. */

@@ -69,7 +69,11 @@ export function reboundInWords(encounter: Encounter, result: Restitution): { ful
 }
 
 /** Up to where ε is more than a bound; '' without SI. */
-export function yieldInWords(encounter: Encounter, { yieldSpeed, yieldWarning }: Restitution): string {
+export function yieldInWords(encounter: Encounter, result: Restitution): string {
+  const { yieldSpeed, yieldWarning, quantities: { dent, yielded } } = result;
+  if (dent && dent.value > 0) {
+    return say('result.dent', { depth: shownQuantity(result, 'dent'), share: significant(100 * yielded!.value, 3) });
+  }
   if (!meetingOf(encounter).si) return '';
   if (yieldWarning !== undefined) return `${yieldWarning[0]!.toUpperCase()}${yieldWarning.slice(1)}.`;
   if (yieldSpeed === undefined) return say('result.yield_unknown');

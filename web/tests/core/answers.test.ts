@@ -1,5 +1,5 @@
 // Every number of an answer of the page's core is that of the native command, with its error.
-import { afterEach, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { thresholdsOf } from '../../src/core/local';
 import type { AnglePoint, Encounter, Quantity, Restitution } from '../../src/core/protocol';
 import { type Body, type Choice, encounterOf, unitBody } from '../../src/inputs/document';
@@ -9,9 +9,6 @@ import { barSpeed, curveSpeeds } from '../../src/inputs/units';
 import { cases, like, made, obliqueCases } from '../unit/cases';
 import { type Row, hasCommand, oblique, prediction, restitution, run } from './native';
 import { ask } from './wasm';
-
-// What computes without a pause must let the runner be heard.
-afterEach(() => new Promise((done) => setImmediate(done)));
 
 const one = cases[0]!.encounter;
 const ball = cases[4]!.encounter;

@@ -134,7 +134,7 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
     await page.fill('#field-speed', '3');
     await settled(page);
     expect(await page.textContent('#yield')).toMatch(
-      /^The ball yields above 2.19 m\/s \(you asked for .* times that\): the real rebound is lower; use stoss predict\.$/);
+      /^The ball yields above 2.19 m\/s \(you asked for .* times that\): the real rebound is lower; give a yield_strength, or use stoss predict\.$/);
     expect(await page.$eval('#preset', (select) => (select as HTMLSelectElement).selectedOptions[0]!.text)).toBe('own numbers');
     await page.context().close();
   });

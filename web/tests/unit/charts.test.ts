@@ -21,7 +21,7 @@ const COLLISION: Collision = {
   velocity: time.map((t) => 0.1 * Math.cos((Math.PI * t) / 8)),
   force: time.map((t) => 0.05 * Math.sin((Math.PI * t) / 8)),
   contact_half_width: zero, translation: time.map((t) => Math.cos((Math.PI * t) / 8) ** 2), vibration: zero,
-  stored: time.map((t) => Math.sin((Math.PI * t) / 8) ** 2), dissipated: zero, unresolved: zero,
+  stored: time.map((t) => Math.sin((Math.PI * t) / 8) ** 2), dissipated: zero, yielded: zero, unresolved: zero,
   modes: [], begin: 0, end: 8,
 };
 const ENCOUNTER = like(defaults.encounter, { first: { ...unitBody, poisson: 0.3 } });

@@ -19,7 +19,7 @@ describe('fields of losses and faces', () => {
     const names = ['loss_time', 'quality', 'relaxation', 'roughness', 'coat'] as const;
     const ofCoat = ['coat_young', 'coat_poisson', 'coat_quality'] as const;
     expect(placedFieldsOf(defaults.encounter)).toEqual(['poisson', ...names]);
-    expect(placedFieldsOf(plain.encounter).slice(-8)).toEqual([...names, ...ofCoat].map((name) => `${name}2`));
+    expect(placedFieldsOf(plain.encounter).slice(-9)).toEqual([...names, ...ofCoat, 'yield_strength'].map((name) => `${name}2`));
     const coated = after(firstBall, 'coat', '1e-5');
     expect(fieldsOf(coated)).toEqual(expect.arrayContaining(ofCoat.map((name) => name)));
     expect(valueOf(coated, 'coat_young')).toBe(7e8); // a hundredth of that of glass
