@@ -104,7 +104,6 @@ def test_dependencies_of_the_core_are_those_that_it_includes():
     rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in page.splitlines() if line.startswith("| ")]
     said = {row[0].split()[0] for row in rows if "core" in row[-1]}
     names = {"Eigen": "Eigen", "boost/math": "Boost.Math", "boost/multiprecision": "Boost.Multiprecision",
-             "boost/numeric": "Boost.Odeint",
              "Random123": "Random123", "nlohmann": "JSON"}
     found = {next(names[key] for key in names if header.startswith(key + "/")) for header in included("src")}
     assert said == found == set(names.values())
