@@ -12,6 +12,7 @@
 #include "prediction/touching.hpp"
 #include "prediction/warnings.hpp"
 #include "restitution/ordered_jobs.hpp"
+#include "restitution/yield_errors.hpp"
 #include "stoss/encounter/roughness.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/curve.hpp"
@@ -61,7 +62,8 @@ class PredictionAtSpeed {
         elastic_(computed_impact(elastic(given), speed, options.tolerance, poll)),
         touching_(prediction::touching(given, options.work_of_adhesion, frequency())),
         yields_(yields(given)),
-        real_(yields_ ? computed_impact(as_it_yields(given), speed, options.tolerance, poll) : elastic_) {}
+        real_(yields_ ? computed_impact(as_it_yields(given), speed, options.tolerance, poll) : elastic_),
+        doubt_(yields_ ? doubt() : 0.0) {}
 
   [[nodiscard]] Prediction predicted() const {
     Prediction made;
@@ -103,6 +105,13 @@ class PredictionAtSpeed {
     return prediction::with_yield(prediction::with_smooth_faces(encounter));
   }
 
+  /// What the law of yield leaves open of 1 − ε²: in the errors of the engine, here among the models.
+  [[nodiscard]] double doubt() const {
+    const Encounter real = as_it_yields(encounter_);
+    const Contact contact = contact_of(real, real_.runs.front().cutoff, speed_in_c(real, speed_));
+    return std::min(doubt_of_yield(contact, real_.finest), real_.lost_fraction.error);
+  }
+
   [[nodiscard]] bool yields(const Encounter& encounter) const {
     const auto coated = [](const Participant& of) { return of.values.contains("coat"); };
     if (coated(encounter.first) || coated(encounter.against)) return false;
@@ -131,10 +140,12 @@ class PredictionAtSpeed {
   void add_channels(Prediction& made) const {
     const double left = std::max(0.0, 1.0 - real_.lost_fraction.value), adhesion = this->adhesion(touching_);
     const bool sticks = left <= adhesion;
-    const Estimate& without = real_.restitution;
-    made.restitution = without;
+    made.restitution = real_.restitution;
     if (adhesion > 0.0) made.restitution.value = sticks ? 0.0 : std::sqrt(left - adhesion);
-    if (adhesion > 0.0 && !sticks) made.restitution.error *= without.value / made.restitution.value;
+    if (const double its = made.restitution.value; its > 0.0) {
+      const double error = real_.lost_fraction.error - doubt_;
+      made.restitution.error = error / (std::sqrt(its * its + error) + its);
+    }
     const double waves = waves_of(real_), away = radiated(real_, at_block());
     made.shares = {waves - away, away, real_.dissipated, std::max(real_.yielded, 0.0), sticks ? left : adhesion};
     const auto largest = std::max_element(made.shares.begin(), made.shares.end());
@@ -152,11 +163,11 @@ class PredictionAtSpeed {
       made.models_low = std::min(made.models_low, other);
       made.models_high = std::max(made.models_high, other);
     };
-    if (yields_) {  // its fit and Poisson's ratio: 1 % and 3 or 4 % of ε² where yield takes all (elastic_plastic.hpp)
-      constexpr double higher = 0.04, lower = 0.05;
-      const double share = made.share(Channel::yield);
-      take(std::min(its * std::sqrt(1.0 + higher * share), elastic_.restitution.value));
-      take(its * std::sqrt(1.0 - lower * share));
+    if (yields_) {  // Poisson's ratio: 3 or 4 % of ε² where yield takes all (elastic_plastic.hpp)
+      constexpr double higher = 0.03, lower = 0.04;
+      const double share = made.share(Channel::yield), square = its * its;
+      take(std::min(std::sqrt(square * (1.0 + higher * share) + doubt_), elastic_.restitution.value));
+      take(std::sqrt(std::max(0.0, square * (1.0 - lower * share) - doubt_)));
     }
     if (touching_.work_of_adhesion > 0.0) {
       constexpr double none = 0.1, full = 5.0;  // Tabor's numbers
@@ -220,6 +231,7 @@ class PredictionAtSpeed {
   Touching touching_;
   bool yields_;
   Restitution real_;
+  double doubt_;
 };
 
 }  // namespace

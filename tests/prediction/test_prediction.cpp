@@ -122,7 +122,7 @@ TEST(Predict, LossesTogetherAreNotTheirSumButNearlyWhereSmall) {
 }
 
 TEST(Predict, SpreadOfYieldIsWhatItsLawLeavesOpen) {
-  // 4 % of ε² up and 5 % down, times what yield takes.
+  // 3 % of ε² up and 4 % down, times what yield takes, and 1 % of what the law leaves open.
   const Encounter ball = own(R"(, "yield_strength": 5e7)");
   const double onset = *thresholds(ball).yield;
   for (const double ratio : {3.0, 100.0, 1000.0}) {
