@@ -31,7 +31,7 @@ def test_table_states_the_spread_beside_its_error(stoss):
     header = stoss.run("table --predict", wall)
     error = float(re.search(r"interpolation included: at most ([0-9.e-]+)", header.stdout)[1])
     spread = float(re.search(r"differ from the coefficient by up to ([0-9.e-]+),", header.stdout)[1])
-    assert error < 0.003 < 0.1 < spread and "by up to" in header.stderr
+    assert error < 0.003 < 0.01 < spread < 0.02 and "by up to" in header.stderr
     made = json.loads(stoss.run("table --predict --format json --quiet", wall).stdout)
     assert made["greatest_error"] <= error and spread == pytest.approx(made["by_models"], rel=0.1)
     assert "differ" not in stoss.run("table --quiet", wall).stdout

@@ -122,15 +122,22 @@ TEST(Predict, LossesTogetherAreNotTheirSumButNearlyWhereSmall) {
 }
 
 TEST(Predict, SpreadOfYieldIsWhatItsLawLeavesOpen) {
-  // 3 % of ε² up and 4 % down, times what yield takes, and 1 % of what the law leaves open.
+  // 3 % of ε² up and 4 % down for Poisson's ratio, times what yield takes, and what the law leaves open: 1 % and more
+  // of the smaller of what is left and what flow takes, in the errors of the engine alone.
   const Encounter ball = own(R"(, "yield_strength": 5e7)");
+  Encounter given = own("");
+  given.first.values["yield_strength"] = 5e7;
   const double onset = *thresholds(ball).yield;
   for (const double ratio : {3.0, 100.0, 1000.0}) {
     const Prediction made = predict(ball, {ratio * onset}, {.influences = false}).front();
-    const double its = made.restitution.value, share = made.share(Channel::yield);
+    const double its = made.restitution.value, share = made.share(Channel::yield), square = its * its;
+    const Restitution same = restitution(refinable(given), speed_in_c(given, ratio * onset), {.absolute = 1e-5});
+    const double numerical = made.restitution.error * (std::sqrt(square + 2.0 * its * made.restitution.error) + its);
+    const double open = made.models_high * made.models_high - square * (1.0 + 0.03 * share);
     EXPECT_GT(share, 0.1) << ratio;
-    EXPECT_NEAR(made.models_high, its * std::sqrt(1.0 + 0.04 * share), 1e-12) << ratio;
-    EXPECT_NEAR(made.models_low, its * std::sqrt(1.0 - 0.05 * share), 1e-12) << ratio;
+    EXPECT_GT(open, 0.0099 * std::min(share, 1.0 - share)) << ratio;
+    EXPECT_NEAR(open + numerical, same.lost_fraction.error, 0.01 * same.lost_fraction.error) << ratio;
+    EXPECT_NEAR(made.models_low * made.models_low, square * (1.0 - 0.04 * share) - open, 1e-12) << ratio;
     EXPECT_EQ(made.by_models, std::max(made.models_high - its, its - made.models_low));
   }
   test::expect_refusal([&] { (void)predict(ball, {20000.0 * onset}); }, {"speed: got ", "1600 times"});
@@ -144,7 +151,7 @@ TEST(Predict, HasTheYieldOfTheImpact) {
   const Prediction made = predict(named, {1.0}, {.influences = false}).front();
   const Restitution same = restitution(refinable(given), speed_in_c(given, 1.0), {.absolute = 1e-5});
   EXPECT_EQ(made.restitution.value, same.restitution.value);
-  EXPECT_EQ(made.restitution.error, same.restitution.error);
+  EXPECT_LT(made.restitution.error, 0.2 * same.restitution.error);  // what the law leaves open is among the models
   EXPECT_EQ(made.share(Channel::yield), same.yielded);
   EXPECT_EQ(predict(given, {1.0}, {.influences = false}).front().restitution.value, made.restitution.value);
 }
