@@ -105,8 +105,7 @@ double KeptModes::energy_of_lossy(std::size_t group, std::size_t index) const {
   std::vector<double> decaying(mode.rate.size());
   for (std::size_t j = 0; j < decaying.size(); ++j) decaying[j] = this->decaying(group, index, j);
   // b counts omega times in velocities, as a in displacements.
-  return tables_->mass / omega *
-         mode.energy(tables_->rates_of(group, index), a_[k], mode.frequency * b_[k], decaying, omega * kick(group, k));
+  return tables_->mass / omega * mode.energy(a_[k], mode.frequency * b_[k], decaying, omega * kick(group, k));
 }
 
 KeptModes KeptModes::ringing() const {

@@ -94,29 +94,19 @@ double LossyOscillator::missing_beside_kicks(double time) const {
   return missing;
 }
 
-double LossyOscillator::energy(const Rates* rates, double place, double speed, const std::vector<double>& decaying,
-                               double kick) const {
-  double moved = place, velocity = speed - 0.5 * kick;
+double LossyOscillator::energy(double moved, double speed, const std::vector<double>& decaying, double kick) const {
+  double now = speed, springs = 0.0;
   for (std::size_t k = 0; k < decaying.size(); ++k) {
-    moved += decaying[k];
-    velocity -= rate[k] * decaying[k];
+    if (residue[k] == 0.0) continue;  // a branch so weak, or so fast, that it holds nothing
+    now -= rate[k] * decaying[k];
+    springs += rate[k] * decaying[k] * (decaying[k] / residue[k]);
   }
-  if (rates == nullptr) return 0.5 * (velocity * velocity + omega * omega * moved * moved);
-  double springs = rates->relaxed * moved * moved;
-  for (std::size_t j = 0; j < rates->rate.size(); ++j) {
-    const double branch = rates->rate[j], pair = branch * (branch - 2.0 * gamma) + frequency * frequency;
-    double dashpot = pair == 0.0 ? place : branch * ((branch - 2.0 * gamma) * place - speed) / pair;
-    for (std::size_t k = 0; k < decaying.size(); ++k) {
-      const double apart = branch - rate[k];
-      if (apart == 0.0) {  // a branch so weak, or so fast, that it holds nothing
-        dashpot = moved;
-        break;
-      }
-      dashpot += branch / apart * decaying[k];
-    }
-    springs += rates->share[j] * (moved - dashpot) * (moved - dashpot);
-  }
-  return 0.5 * (velocity * velocity + omega * omega * springs);
+  // The pair without its zeros, which may coincide.
+  const double squared = frequency * frequency, turned = velocity + 2.0 * gamma * place;
+  springs += (squared * moved * (velocity * moved - 2.0 * place * speed) - turned * speed * speed) /
+             (velocity * turned + squared * place * place);
+  const double kicked = now - 0.5 * kick;
+  return 0.5 * (kicked * kicked + now * now + springs);
 }
 
 }  // namespace stoss

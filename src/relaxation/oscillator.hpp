@@ -26,11 +26,10 @@ struct LossyOscillator {
   /// Displacement that kicks of period t leave out of that by a steady force of 1, 1/(ω² M(0)).
   [[nodiscard]] double missing_beside_kicks(double time) const;
 
-  /// Energy over the mass: ½Q̇² and that of all springs of its Maxwell branches, ½ω² [e∞ Q² + Σ e_j (Q − q_j)²].
-  /// @param rates of the material; null without relaxation
-  /// @param place,speed x and ẋ @param decaying each ρ_k e^(−λ_k t) @param kick that is due in half against Q̇
-  [[nodiscard]] double energy(const Rates* rates, double place, double speed, const std::vector<double>& decaying,
-                              double kick) const;
+  /// Energy over the mass: ½Q̇² and that of all springs of its Maxwell branches, ½ω² [e∞ Q² + Σ e_j (Q − q_j)²], which
+  /// is ½Q̇² − ½Σ c² p/ρ with amplitudes c of the zeros p (docs/developer/derivations/loss.md).
+  /// @param moved,speed x and ẋ @param decaying each ρ_k e^(−λ_k t) @param kick that is due in half against Q̇
+  [[nodiscard]] double energy(double moved, double speed, const std::vector<double>& decaying, double kick) const;
 };
 
 [[nodiscard]] LossyOscillator kelvin_voigt_oscillator(double omega, double loss_time);

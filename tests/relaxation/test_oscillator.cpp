@@ -71,7 +71,7 @@ void expect_exact(double omega, const Relaxation& relaxation, double time) {
     const double apart = omega * (exact(0) - exact(2 + static_cast<Eigen::Index>(j)));
     energy += rates.share[j] * apart * apart;
   }
-  EXPECT_NEAR(mode.energy(&rates, motion.place, motion.speed, motion.decaying, 0.0), 0.5 * energy, 1e-7) << omega;
+  EXPECT_NEAR(mode.energy(motion.place, motion.speed, motion.decaying, 0.0), 0.5 * energy, 1e-7) << omega;
 }
 
 /// Up to eight terms over ten decades of times, some very weak, and a mode.
