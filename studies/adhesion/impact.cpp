@@ -93,16 +93,16 @@ Result meet(const stoss::Body& body, const Law& law, double speed, const Numeric
   return result;
 }
 
-double Setup::jkr_speed() const {
+double Grain::jkr_speed() const {
   constexpr double mass = 4.18879020478639098;
   return stoss::quasistatic::sticking_speed({.curvature = 1.0, .softness = 1.0 / modulus()}, work, mass);
 }
 
-double Setup::cutoff() const { return modes * std::max(2.0 * tabor * tabor, 2.0) * std::cbrt(modulus() / work); }
+double Grain::cutoff() const { return modes * std::max(2.0 * tabor * tabor, 2.0) * std::cbrt(modulus() / work); }
 
-double Setup::softening() const { return work / (range() * range()) * std::pow(ratio, 2.0 * ratio / (1.0 - ratio)); }
+double Grain::softening() const { return work / (range() * range()) * std::pow(ratio, 2.0 * ratio / (1.0 - ratio)); }
 
-Numerics Setup::numerics(double speed) const {
+Numerics Grain::numerics(double speed) const {
   constexpr double mass = 4.18879020478639098;
   const double compression = std::pow(15.0 / 16.0 * mass * speed * speed / modulus(), 0.4);
   const double contact = std::cbrt(4.5 * 3.14159265358979 * work / modulus());  // under no load

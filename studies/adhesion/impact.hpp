@@ -93,7 +93,7 @@ struct Result {
 [[nodiscard]] Result meet(const stoss::Body& body, const Law& law, double speed, const Numerics& numerics);
 
 /// The exponential law for a Tabor number and a work of adhesion w in ER, and numerics that resolve it.
-struct Setup {
+struct Grain {
   double poisson = 0.2, tabor = 1.0, work = 1e-4, ratio = 0.5;
   double modes = 1.0;  ///< cutoff over the usual one
   double rings = 1.0;  ///< their number

@@ -30,28 +30,28 @@ void print_static(double tabor, int rings, double ratio) {
              maugis_pull_off(1.157 * tabor), found.jump_in, found.jump_out, found.work, found.work / jkr_work());
 }
 
-Result print_impact(const Setup& setup, const stoss::Body& body, double part) {
+Result print_impact(const Grain& grain, const stoss::Body& body, double part) {
   const auto begin = std::chrono::steady_clock::now();
-  const double speed = part * setup.jkr_speed();
-  const Law law = exponential_law(setup.work, setup.range(), setup.ratio);
-  const Result found = meet(body, law, speed, setup.numerics(speed));
+  const double speed = part * grain.jkr_speed();
+  const Law law = exponential_law(grain.work, grain.range(), grain.ratio);
+  const Result found = meet(body, law, speed, grain.numerics(speed));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const double lost = 1.0 - found.restitution * found.restitution;
   fmt::print("{:g},{:g},{:.3g},{:.6g},{:.6g},{:g},{:g},{:g},{:.4g},{},{},{:.4g},{:.6f},{:.6f},{:.6f},{:.1e},{:.1e},",
-             setup.tabor, setup.work, setup.ratio, part, speed, setup.modes, setup.rings, setup.steps, setup.cutoff(),
-             found.modes, found.rings, setup.numerics(speed).step, found.restitution, lost, lost * part * part,
+             grain.tabor, grain.work, grain.ratio, part, speed, grain.modes, grain.rings, grain.steps, grain.cutoff(),
+             found.modes, found.rings, grain.numerics(speed).step, found.restitution, lost, lost * part * part,
              found.imbalance, found.largest);
-  fmt::print("{:.4f},{:.4g},{:.4f},{:.4g},{:.3f},{},{:.1f}\n", found.pull / setup.work, found.push, found.time,
-             found.deepest, found.compliance * setup.softening(), found.steps, seconds);
+  fmt::print("{:.4f},{:.4g},{:.4f},{:.4g},{:.3f},{},{:.1f}\n", found.pull / grain.work, found.push, found.time,
+             found.deepest, found.compliance * grain.softening(), found.steps, seconds);
   std::fflush(stdout);
   return found;
 }
 
-void stick(const Setup& setup, double low, double high) {
-  const stoss::Body body = stoss::sphere(setup.poisson, setup.cutoff());
+void stick(const Grain& grain, double low, double high) {
+  const stoss::Body body = stoss::sphere(grain.poisson, grain.cutoff());
   while (high / low > 1.004) {
     const double middle = std::sqrt(low * high);
-    (print_impact(setup, body, middle).restitution > 0.0 ? high : low) = middle;
+    (print_impact(grain, body, middle).restitution > 0.0 ? high : low) = middle;
   }
 }
 
@@ -69,16 +69,16 @@ int main(int count, char** arguments) try {
   }
   if ((what == "impact" && given.size() > 3) || (what == "stick" && given.size() > 4)) {
     const std::size_t from = what == "stick" ? 5 : 4;
-    const Setup setup{.tabor = number(1, 1.0),
+    const Grain grain{.tabor = number(1, 1.0),
                       .work = number(2, 1e-4),
                       .ratio = number(from + 3, 0.5),
                       .modes = number(from, 1.0),
                       .rings = number(from + 1, 1.0),
                       .steps = number(from + 2, 1.0)};
     if (what == "stick") {
-      stick(setup, number(3, 1.0), number(4, 1.0));
+      stick(grain, number(3, 1.0), number(4, 1.0));
     } else {
-      (void)print_impact(setup, stoss::sphere(setup.poisson, setup.cutoff()), number(3, 1.0));
+      (void)print_impact(grain, stoss::sphere(grain.poisson, grain.cutoff()), number(3, 1.0));
     }
     return 0;
   }
