@@ -47,7 +47,7 @@ def impact_runs():
     yield from ("3 1e-4 1.2 1", "3 1e-4 1.2 0.75 2", "3 1e-4 1.2 0.75 1 2")
     yield from (f"1 1e-3 {speed}" for speed in (0.5, 0.65, 0.85, 1, 1.3))
     yield from (f"1 1e-5 {speed}" for speed in (0.5, 0.65, 0.85, 1, 1.3))
-    yield from (f"1 1e-6 {speed}" for speed in (0.5, 0.75, 1, 1.3))
+    yield from (f"1 1e-6 {speed}" for speed in (0.28, 0.5, 0.75, 1, 1.3))
     yield from ("0.3 1e-6 1", "0.3 1e-4 0.02")
 
 
