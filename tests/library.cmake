@@ -14,7 +14,8 @@ list(FILTER library_tests EXCLUDE REGEX "^cli/")
 # What tests of a room need besides.
 file(GLOB besides_bench ${PROJECT_SOURCE_DIR}/bench/*_mesh.cpp ${PROJECT_SOURCE_DIR}/bench/element_*.cpp
   ${PROJECT_SOURCE_DIR}/bench/finite_elements.cpp)
-file(GLOB_RECURSE besides_studies ${PROJECT_SOURCE_DIR}/studies/yield/*.cpp)
+file(GLOB_RECURSE besides_studies ${PROJECT_SOURCE_DIR}/studies/adhesion/*.cpp
+  ${PROJECT_SOURCE_DIR}/studies/yield/*.cpp)
 list(FILTER besides_studies EXCLUDE REGEX "/main[.]cpp$")
 set(besides_examples ${PROJECT_SOURCE_DIR}/examples/gas/collision.cpp ${PROJECT_SOURCE_DIR}/examples/gas/gas.cpp)
 set(besides_identities ${CMAKE_CURRENT_SOURCE_DIR}/identities/cases.cpp)
