@@ -170,9 +170,9 @@ class PredictionAtSpeed {
       take(std::sqrt(std::max(0.0, square * (1.0 - lower * share) - doubt_)));
     }
     if (touching_.work_of_adhesion > 0.0) {
-      constexpr double none = 0.1, full = 5.0;  // Tabor's numbers
-      const double share = std::clamp(std::log(touching_.tabor_number() / none) / std::log(full / none), 0.0, 1.0);
-      take(its + (1.0 - share) * (real_.restitution.value - its));
+      const double left = std::max(0.0, 1.0 - real_.lost_fraction.value);
+      const double least = prediction::least_work_of_jumps(touching_.tabor_number()) * adhesion(touching_);
+      take(std::sqrt(std::max(0.0, left - least)));
     }
     made.by_models = std::max(its - made.models_low, made.models_high - its);
   }

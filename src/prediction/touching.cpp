@@ -1,9 +1,11 @@
 #include "prediction/touching.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "check.hpp"
 #include "encounter/participant.hpp"
@@ -69,6 +71,20 @@ double Touching::tabor_number() const {
   constexpr double range = 3e-10;  // z₀, m
   const double ratio = work_of_adhesion * pair.softness / range;
   return std::cbrt(ratio * ratio / (pair.curvature * range));
+}
+
+double least_work_of_jumps(double tabor_number) {
+  constexpr std::array<std::pair<double, double>, 6> shares{
+      {{0.7, 0.0}, {0.8, 0.005806}, {0.9, 0.019074}, {1.0, 0.034944}, {2.0, 0.204270}, {3.0, 0.319877}}};
+  if (tabor_number <= shares.front().first) return 0.0;
+  const auto [last, share] = shares.back();
+  constexpr double power = 0.71;  // of what is missing, from 3 to 5, of the study's own law
+  if (tabor_number >= last) return 1.0 - (1.0 - share) * std::pow(last / tabor_number, power);
+  std::size_t i = 1;
+  while (shares[i].first < tabor_number) ++i;
+  const auto [low, below] = shares[i - 1];
+  const auto [high, above] = shares[i];
+  return below + (above - below) * (tabor_number - low) / (high - low);
 }
 
 double Touching::adhesion(double compression) const {

@@ -34,6 +34,11 @@ struct Touching {
   [[nodiscard]] double adhesion(double compression) const;
 };
 
+/// The least share of Johnson's, Kendall's and Roberts' work that jumping into contact and out of it takes: that of a
+/// static contact under the forces of Lennard and Jones, by the finite differences of studies/adhesion up to a Tabor
+/// number of 3, and beyond as it grows there. 0 below 0.7, where nothing jumps.
+[[nodiscard]] double least_work_of_jumps(double tabor_number);
+
 /// Speed at which the contact of one that yields is as wide as 0.2 R: finite strain takes some 4 % of ε² there, and
 /// more above.
 [[nodiscard]] double speed_of_impression(const Touching& touching);
