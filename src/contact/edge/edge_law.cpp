@@ -84,7 +84,11 @@ void add_asperities(const Contact& contact, const ContactGrid& grid, double spee
   const double pressure = negligible * contact.mass * speed * std::min(0.5 * speed / length, contact.cutoff) / area;
   for (double& each : law.force) each *= pressure;
   law.gap.assign(law.force.size(), length * (std::log(contact.strength / length) - std::log(pressure)));
-  for (std::size_t i = 0; i < law.edge_gap.size(); ++i) law.gap[i] += law.edge_gap[i];
+  for (std::size_t i = 0; i < law.edge_gap.size(); ++i) {
+    const double open = 1.0 - std::min(1.0, std::sqrt(law.force[i] / law.edge_force[i]));
+    law.edge_open.push_back(open * open);
+    law.gap[i] += law.edge_gap[i] * law.edge_open[i];
+  }
 }
 
 }  // namespace
@@ -96,7 +100,8 @@ double EdgeLaw::energy_at(std::size_t i, double closure) const {
   if (asperities == 0.0) return of_edge(full_force(i), full_gap(i), std::clamp(closure, 0.0, 1.0));
   const double its = force_at(i, closure);
   if (!(its > 0.0)) return 0.0;
-  const double of_asperities = its * (gap[i] - edge_gap[i] - asperities * closure) + asperities * (its - force[i]);
+  const double alone = gap[i] - edge_gap[i] * edge_open[i] - asperities * closure;
+  const double of_asperities = its * alone + asperities * (its - force[i]);
   return of_asperities + of_edge(edge_force[i], edge_gap[i], edge_closure(i, closure));
 }
 
