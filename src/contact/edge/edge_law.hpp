@@ -133,4 +133,8 @@ struct EdgeLaw {
 /// @param speed of an impact with all the energy there is, which says how fast the edge moves
 [[nodiscard]] EdgeLaw edge_law(const Contact& contact, const ContactGrid& grid, double speed);
 
+/// Share of the gap of a smooth edge that asperities leave at the edge of the contact that is expected; 1 between
+/// smooth faces. @param speed as above
+[[nodiscard]] double edge_left(const Contact& contact, const ContactGrid& grid, double speed);
+
 }  // namespace stoss
