@@ -70,7 +70,7 @@ Calibration calibrated(const std::vector<Point>& points) {
   stoss::run_in_order<Restitution>(
       points.size(), threads,
       [&](std::size_t i, const stoss::Poll&) {
-        return best(contacts[i], points[i].speed, {.tolerance = tolerance, .absolute = 0.0});
+        return best(contacts[i], points[i].speed, {.tolerance = tolerance, .absolute = least_error(points[i])});
       },
       [&](std::size_t i, Restitution&& result) { take(points[i], contacts[i].at(0), std::move(result), all); }, {});
   return all;

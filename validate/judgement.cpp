@@ -14,8 +14,7 @@ namespace validate {
 namespace {
 
 Answer answer_at(const stoss::RefinableContact& body, const Point& point, double tolerance) {
-  constexpr double hardly_any = 1e-9;  // asperities leave nothing of the ringing
-  stoss::RestitutionOptions options{.tolerance = tolerance, .absolute = point.encounter ? hardly_any : 0.0};
+  stoss::RestitutionOptions options{.tolerance = tolerance, .absolute = least_error(point)};
   if (point.temperature > 0.0) {
     constexpr double none = 1e-15;
     options = {.tolerance = none, .absolute = tolerance, .vibration = vibration_of(point, body)};
@@ -69,6 +68,11 @@ Contacts make_contacts(const std::vector<Point>& points) {
     }
   }
   return contacts;
+}
+
+double least_error(const Point& point) {
+  constexpr double hardly_any = 1e-9;  // asperities leave nothing of the ringing
+  return point.encounter ? hardly_any : 0.0;
 }
 
 std::vector<Answer> answer(const Contacts& contacts, const std::vector<Point>& points, double tolerance) {
