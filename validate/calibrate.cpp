@@ -15,6 +15,7 @@
 #include "judgement.hpp"
 #include "restitution/error_bar.hpp"
 #include "restitution/ordered_jobs.hpp"
+#include "sets.hpp"
 
 namespace validate {
 namespace {
@@ -69,7 +70,7 @@ Calibration calibrated(const std::vector<Point>& points) {
   stoss::run_in_order<Restitution>(
       points.size(), threads,
       [&](std::size_t i, const stoss::Poll&) {
-        return best(contacts[i], points[i].speed, {.tolerance = tolerance, .absolute = 0.0});
+        return best(contacts[i], points[i].speed, {.tolerance = tolerance, .absolute = least_error(points[i])});
       },
       [&](std::size_t i, Restitution&& result) { take(points[i], contacts[i].at(0), std::move(result), all); }, {});
   return all;
@@ -80,22 +81,20 @@ Calibration calibrated(const std::vector<Point>& points) {
 bool write_calibration(std::ostream& out) {
   constexpr double quantile = 0.95, enough = 0.5;
   constexpr std::size_t fewest = 20;  // of which a quantile says something
-  const std::vector<std::pair<const char*, std::vector<Point> (*)()>> sets{
-      {"wall", read_points}, {"pairs", read_pairs},      {"spheres", read_spheres}, {"half-spaces", read_half_spaces},
-      {"lossy", read_lossy}, {"relaxing", read_relaxing}};
   std::array<char, 160> line{};
   std::snprintf(line.data(), line.size(), "%-12s %-26s %10s %6s %12s\n", "set", "constant", "in use", "runs",
                 "asked, 95 %");
   out << line.data();
   bool all_enough = true;
-  for (const auto& [name, read] : sets) {
-    std::cerr << name << '\n';
-    for (auto& [constant, asked] : calibrated(read())) {
+  for (const Set& set : sets()) {
+    if (!set.calibrates) continue;
+    std::cerr << set.name << '\n';
+    for (auto& [constant, asked] : calibrated(set.read())) {
       std::sort(asked.values.begin(), asked.values.end());
       const double wanted =
           asked.values[static_cast<std::size_t>(quantile * static_cast<double>(asked.values.size() - 1))];
       const bool tells = asked.values.size() >= fewest, met = !tells || asked.in_use >= enough * wanted;
-      std::snprintf(line.data(), line.size(), "%-12s %-26s %10.3g %6zu %12.3g%s\n", name, constant.c_str(),
+      std::snprintf(line.data(), line.size(), "%-12s %-26s %10.3g %6zu %12.3g%s\n", set.name, constant.c_str(),
                     asked.in_use, asked.values.size(), wanted, met ? "" : "  too small");
       out << line.data() << std::flush;
       all_enough = all_enough && met;

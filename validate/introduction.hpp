@@ -74,6 +74,17 @@ to 2.4 times those of `restitution`. Judged with `absolute` = 0. Two constants o
 chosen on nine other spectra; of the shares that stay, one was then lowered so that errors are not
 padded. `stoss_validate --make-relaxing-reference FILE` makes the file anew.
 
+`validate/data/reference_faces.csv`: 80 impacts of spheres and disks with rough or coated faces, in
+turn at the wall, on half-spaces, at an equal body, at another and at an exponential wall, spread by
+a quasi-random sequence: u₀ from 10⁻³ to 3 of the compression of smooth faces; coats of 5 to 30 % of
+the half-width, which give way as the bodies do over 0.03 to 10 half-widths, half of them with a
+quality from 6 to 200; 40 rough, 16 coated, 24 both. Every seventh body relaxes, every fourteenth is
+lossy; Poisson's ratios from −0.2 to 0.48, speeds from 10⁻⁶ c to 0.3 c. Three impacts as above, with
+cutoffs 80, 113 and 160, on half-spaces 12, 17 and 24, and less in proportion where asperities are
+longer than the way in two units of time, from 128 nodes to 2.4 times those of `restitution`. Judged
+with `absolute` = 10⁻⁹: long asperities leave nothing of the ringing. No constant was fitted to
+them. `stoss_validate --make-face-reference FILE` makes the file anew.
+
 `validate/data/reference_vibrating.csv`: 112 impacts of disks and spheres that vibrate, in turn at
 the wall and in pairs, spread by a quasi-random sequence: Poisson's ratios from −0.5 to 0.9 and from
 0 to 0.45, speeds from 10⁻³ c to 0.3 c, radii and moduli within a factor of 2; temperatures from

@@ -25,6 +25,9 @@ Makers makers_of(const Point& point);
 using Contacts = std::vector<stoss::RefinableContact>;
 Contacts make_contacts(const std::vector<Point>& points);
 
+/// Error of 1 − ε² that suffices at a point whatever the tolerance.
+double least_error(const Point& point);
+
 /// @param tolerance relative to 1 − ε²; of vibrating bodies the error of 1 − ε² itself
 std::vector<Answer> answer(const Contacts& contacts, const std::vector<Point>& points, double tolerance);
 

@@ -1,18 +1,40 @@
 // Judges the errors of restitution() by finer references, or makes those references. Exit code: 0 if the errors are
 // honest, 1 if they are not or something failed, 2 for a wrong argument, 4 for a file that cannot be written.
+#include <algorithm>
+#include <array>
 #include <exception>
 #include <fstream>
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "calibrate.hpp"
 #include "modal_report.hpp"
 #include "plate_report.hpp"
 #include "reference.hpp"
 #include "report.hpp"
+#include "sets.hpp"
 
 namespace {
+
+using Make = void (*)(const std::string& path);
+
+const std::array<std::pair<const char*, Make>, 13> makers{{
+    {"--make-reference", validate::make_reference},
+    {"--make-unseen-reference", validate::make_unseen_reference},
+    {"--make-pair-reference", validate::make_pair_reference},
+    {"--make-sphere-reference", validate::make_sphere_reference},
+    {"--make-half-space-reference", validate::make_half_space_reference},
+    {"--make-plate-reference", validate::make_plate_reference},
+    {"--make-unseen-plate-reference", validate::make_unseen_plate_reference},
+    {"--make-modal-reference", validate::make_modal_reference},
+    {"--make-lossy-reference", validate::make_lossy_reference},
+    {"--make-relaxing-reference", validate::make_relaxing_reference},
+    {"--make-face-reference", validate::make_face_reference},
+    {"--make-vibrating-reference", validate::make_vibrating_reference},
+    {"--make-oblique-reference", validate::make_oblique_reference},
+}};
 
 int report(const std::string& path) {
   std::ostringstream text;
@@ -36,78 +58,30 @@ bool plates() {
   return validate::write_plates(std::cout, judged);
 }
 
+int refuse() {
+  std::cerr << "usage: stoss_validate [--markdown=FILE | --calibrate | --plates | --modal | --set NAME]\n  of the sets";
+  for (const validate::Set& set : validate::sets()) std::cerr << " '" << set.name << '\'';
+  std::cerr << '\n';
+  for (const auto& [option, make] : makers) std::cerr << "       stoss_validate " << option << " FILE\n";
+  return 2;
+}
+
 int run(int argc, char** argv) {
-  const std::string markdown = "--markdown=";
-  const std::string first = argc > 1 ? argv[1] : "";
-  if (first == "--make-reference" && argc == 3) {
-    validate::make_reference(argv[2]);
-    return 0;
-  }
-  if (first == "--make-unseen-reference" && argc == 3) {
-    validate::make_unseen_reference(argv[2]);
-    return 0;
-  }
-  if (first == "--make-pair-reference" && argc == 3) {
-    validate::make_pair_reference(argv[2]);
-    return 0;
-  }
-  if (first == "--make-sphere-reference" && argc == 3) {
-    validate::make_sphere_reference(argv[2]);
-    return 0;
-  }
-  if (first == "--make-half-space-reference" && argc == 3) {
-    validate::make_half_space_reference(argv[2]);
-    return 0;
-  }
-  if (first == "--make-plate-reference" && argc == 3) {
-    validate::make_plate_reference(argv[2]);
-    return 0;
-  }
-  if (first == "--make-unseen-plate-reference" && argc == 3) {
-    validate::make_unseen_plate_reference(argv[2]);
-    return 0;
-  }
-  if (first == "--make-modal-reference" && argc == 3) {
-    validate::make_modal_reference(argv[2]);
-    return 0;
-  }
-  if (first == "--make-lossy-reference" && argc == 3) {
-    validate::make_lossy_reference(argv[2]);
-    return 0;
-  }
-  if (first == "--make-relaxing-reference" && argc == 3) {
-    validate::make_relaxing_reference(argv[2]);
-    return 0;
-  }
-  if (first == "--relaxing" && argc == 2) return validate::write_relaxing(std::cout) ? 0 : 1;
-  if (first == "--make-vibrating-reference" && argc == 3) {
-    validate::make_vibrating_reference(argv[2]);
-    return 0;
-  }
-  if (first == "--make-oblique-reference" && argc == 3) {
-    validate::make_oblique_reference(argv[2]);
-    return 0;
-  }
-  if (first == "--calibrate" && argc == 2) return validate::write_calibration(std::cout) ? 0 : 1;
-  if (first == "--plates" && argc == 2) return plates() ? 0 : 1;
-  if (first == "--modal" && argc == 2) return validate::write_modal(std::cout) ? 0 : 1;
+  const std::string markdown = "--markdown=", first = argc > 1 ? argv[1] : "", second = argc > 2 ? argv[2] : "";
   if (argc == 1) return report("");
   if (argc == 2 && first.rfind(markdown, 0) == 0) return report(first.substr(markdown.size()));
-  std::cerr << "usage: stoss_validate [--markdown=FILE | --calibrate | --plates | --modal | --relaxing]\n       "
-               "stoss_validate "
-               "--make-reference FILE\n"
-               "       stoss_validate --make-unseen-reference FILE\n"
-               "       stoss_validate --make-pair-reference FILE\n"
-               "       stoss_validate --make-sphere-reference FILE\n"
-               "       stoss_validate --make-half-space-reference FILE\n"
-               "       stoss_validate --make-plate-reference FILE\n"
-               "       stoss_validate --make-unseen-plate-reference FILE\n"
-               "       stoss_validate --make-modal-reference FILE\n"
-               "       stoss_validate --make-lossy-reference FILE\n"
-               "       stoss_validate --make-relaxing-reference FILE\n"
-               "       stoss_validate --make-vibrating-reference FILE\n"
-               "       stoss_validate --make-oblique-reference FILE\n";
-  return 2;
+  if (argc == 2 && first == "--calibrate") return validate::write_calibration(std::cout) ? 0 : 1;
+  if (argc == 2 && first == "--plates") return plates() ? 0 : 1;
+  if (argc == 2 && first == "--modal") return validate::write_modal(std::cout) ? 0 : 1;
+  if (argc != 3) return refuse();
+  for (const validate::Set& set : validate::sets()) {
+    if (first == "--set" && second == set.name) return validate::write_set(std::cout, set) ? 0 : 1;
+  }
+  const auto making =
+      std::find_if(makers.begin(), makers.end(), [&first](const auto& its) { return its.first == first; });
+  if (making == makers.end()) return refuse();
+  making->second(second);
+  return 0;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "stoss/encounter/relaxing.hpp"
 #include "stoss/vibration/ensemble.hpp"
 #include "support/csv.hpp"
+#include "support/faces.hpp"
 
 namespace validate {
 namespace {
@@ -108,6 +109,15 @@ std::vector<Point> read_relaxing() {
       point.against = stoss::Disk{.poisson = row.number("against_poisson"), .radius = row.number("against_radius")};
     }
     points.push_back(point);
+  }
+  return points;
+}
+
+std::vector<Point> read_faces() {
+  std::vector<Point> points;
+  for (const CsvRow& row : stoss::test::read_csv("../../validate/data/reference_faces.csv")) {
+    points.push_back(read_full_point(row));
+    points.back().encounter = stoss::test::encounter_of_faces(row);
   }
   return points;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
+#include "stoss/encounter/encounter.hpp"
 #include "stoss/relaxation.hpp"
 #include "stoss/restitution/restitution.hpp"
 
@@ -43,6 +44,7 @@ struct Point {
   double temperature = 0.0;                        ///< of the bodies before the impact (stoss::thermal)
   double highest = 0.0;                            ///< frequency of their vibration
   long sample = 0;                                 ///< of that ensemble, seed 0
+  std::optional<stoss::Encounter> encounter{};     ///< who meets whom, in place of all these numbers
 };
 
 /// How the bodies of a point vibrate before the impact.
@@ -69,6 +71,10 @@ std::vector<Point> read_lossy();
 /// Spheres and disks that relax: those of validate/data/reference_relaxing.csv. @throws std::runtime_error as
 /// read_points
 std::vector<Point> read_relaxing();
+
+/// Spheres and disks with rough or coated faces: those of validate/data/reference_faces.csv.
+/// @throws std::runtime_error as read_points
+std::vector<Point> read_faces();
 
 /// Disks, spheres and pairs that vibrate: those of validate/data/reference_vibrating.csv.
 /// @throws std::runtime_error as read_points

@@ -35,6 +35,9 @@ void make_lossy_reference(const std::string& path);
 /// Computes those of bodies that relax: validate/data/reference_relaxing.csv. @throws std::runtime_error as above
 void make_relaxing_reference(const std::string& path);
 
+/// Computes those of rough and coated faces: validate/data/reference_faces.csv. @throws std::runtime_error as above
+void make_face_reference(const std::string& path);
+
 /// Computes those of vibrating bodies: validate/data/reference_vibrating.csv. @throws std::runtime_error as above
 void make_vibrating_reference(const std::string& path);
 

@@ -67,7 +67,9 @@ ImpactRuns resolved_runs(const ReferencePoint& point, const Finenesses& fineness
   const stoss::Impact coarse = started(point.contact(first), point, {});
   ImpactRuns runs;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    runs[i] = resolved(point.contact(finenesses[i].cutoff), point, finenesses[i], coarse.max_half_width);
+    const stoss::Contact contact = point.contact(finenesses[i].cutoff);
+    const bool is_rough = contact.asperities > 0.0;  // they push beyond what counts as contact
+    runs[i] = resolved(contact, point, finenesses[i], is_rough ? 0.0 : coarse.max_half_width);
   }
   return runs;
 }

@@ -16,12 +16,13 @@ SETS = {
     "All impacts on half-spaces at the default tolerance": "half-space",
     "All lossy bodies at the default tolerance": "lossy",
     "All bodies that relax at the default tolerance": "relaxing",
+    "All rough and coated faces at the default tolerance": "rough or coated",
     "All vibrating bodies at the error 10⁻³": "vibrating",
     "Balls on plates": "plate",
     "Bodies by their modes at a point": "by its modes",
 }
 COLUMNS = ["1−ε², reference", "uncertainty", "1−ε²", "error", "ratio"]
-COLOURS = ["#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#000000", "#999999", "#F0E442"]
+COLOURS = ["#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#000000", "#999999", "#F0E442", "#8C510A"]
 
 
 def points(text):
@@ -49,7 +50,7 @@ def draw(rows, file):
     ends = [2e-10, 5e-3]
     axes.plot(ends, ends, "k-", linewidth=1, label="true = stated")
     axes.plot(ends, [3 * end for end in ends], "k:", linewidth=1, label="three times")
-    axes.set(xlabel="stated error of $1-\\varepsilon^2$", ylabel="true error of $1-\\varepsilon^2$", xlim=ends)
+    axes.set(xlabel="stated error of $1-\\varepsilon^2$", ylabel="true error of $1-\\varepsilon^2$", xlim=ends, ylim=[1e-12, 1.5e-2])
     axes.legend(fontsize=8, loc="lower right")
     figure.savefig(file, dpi=120, metadata={"Software": None})
 

@@ -22,4 +22,12 @@ void write_tally(std::ostream& out, const char* bodies, const char* quantity, co
       << (std::isfinite(all.padding) ? cell("%.1f", all.padding) : " – |") << ' ' << all.blurred << " |\n";
 }
 
+void write_answer(std::ostream& out, const Point& point, const Answer& answer, const char* format) {
+  const stoss::Estimate &reference = *point.reference[lost_fraction], &value = answer.value[lost_fraction];
+  const Deviation off = deviation(value, reference);
+  out << cell(format, reference.value) << cell("%.1e", reference.error) << cell(format, value.value)
+      << cell("%.1e", value.error) << cell(off.padding ? "%.2f" : "%.2f u", off.ratio) << cell("%.0f", answer.cutoff)
+      << "\n";
+}
+
 }  // namespace validate

@@ -95,6 +95,13 @@ The same for spheres and disks of materials that relax, at the wall, in pairs an
 |---:|---|---:|---:|---:|---:|---:|---:|
 )";
 
+inline constexpr const char* face_tally = R"(
+The same for spheres and disks with rough or coated faces, at walls, on half-spaces and in pairs:
+
+| tolerance | quantity | points | within | strictly | maximum | error / true error | blurred |
+|---:|---|---:|---:|---:|---:|---:|---:|
+)";
+
 inline constexpr const char* vibrating_tally = R"(
 The same for vibrating disks and spheres, at the wall and in pairs. Their contact time jumps where a
 first or a last grazing contact is made or not:
@@ -175,6 +182,16 @@ there is one.
 
 | body | terms | ν | ν₂ | R₂ | terms₂ | v | 1−ε², reference | uncertainty | 1−ε² | error | ratio | cutoff |
 |---|---|---:|---:|---:|---|---:|---:|---:|---:|---:|---:|---:|
+)";
+
+inline constexpr const char* face_points = R"(
+## All rough and coated faces at the default tolerance
+
+ν, loss time and terms of the first; u₀ of its face; thickness, E and Q of its coat; the second, αR
+of an exponential wall, ν, R and E of a body, all in units of the first.
+
+| body | ν | η | terms | u₀ | h | E_h | Q_h | second | αR | ν₂ | R₂ | E₂ | v | 1−ε², reference | uncertainty | 1−ε² | error | ratio | cutoff |
+|---|---:|---:|---|---:|---:|---:|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|
 )";
 
 inline constexpr const char* vibrating_points = R"(

@@ -52,7 +52,7 @@ HardContact::HardContact(const Contact& contact, const ContactGrid& grid, const 
       force_(grid.recess.size()),
       old_force_(grid.recess.size()),
       range_(contact_.range(grid.recess)),
-      touch_(touch_compression(contact, grid)),
+      touch_(touch_compression(contact, grid, edge_left(contact, grid, speed))),
       first_kick_(first_kick(contact)),
       threshold_(force_that_counts(contact, speed)) {}
 

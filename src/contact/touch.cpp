@@ -47,12 +47,12 @@ double loss_share(const Contact& contact) {
   return both > 0.0 ? first / both : 1.0;
 }
 
-double touch_compression(const Contact& contact, const ContactGrid& grid) {
-  if (contact.asperities > 0.0) return -std::log(contact.strength) * contact.asperities;
-  if (has_single_point(contact)) return 0.0;
+double touch_compression(const Contact& contact, const ContactGrid& grid, double edge) {
+  const double mean_plane = contact.asperities > 0.0 ? -std::log(contact.strength) * contact.asperities : 0.0;
+  if (has_single_point(contact)) return mean_plane;
   const double spacing = grid.points.spacing * grid.points.radius;
   const Touch met = touch(contact);
-  return -met.curvature * spacing * spacing / (met.circle ? 12.0 : 24.0);
+  return mean_plane - edge * met.curvature * spacing * spacing / (met.circle ? 12.0 : 24.0);
 }
 
 }  // namespace stoss

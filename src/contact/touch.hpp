@@ -37,7 +37,8 @@ struct RelaxingBody {
 
 /// Compression at which evenly spaced contact points with the edge law begin to push: they answer like a continuous
 /// surface that is closer by this, −h²/24 of a line and −h²/12 of a ball in their radius (docs/developer/numerics.md,
-/// section 3).
-[[nodiscard]] double touch_compression(const Contact& contact, const ContactGrid& grid);
+/// section 3). Between rough faces by the share of it that the edge law has there, from where the mean planes meet.
+/// @param edge that share (edge_left)
+[[nodiscard]] double touch_compression(const Contact& contact, const ContactGrid& grid, double edge);
 
 }  // namespace stoss

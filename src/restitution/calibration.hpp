@@ -39,8 +39,18 @@ inline constexpr double unresolved_at_a_point = 0.5;     // of U, the same rods
 inline constexpr double nodes_of_balls = 12.0, nodes_on_a_line = 2.1;
 inline constexpr double relaxing_nodes = 0.7, always_left = 0.03;  // nodes that relax (numerics, 9; 2026-11-29)
 
-// Rough and coated faces, of what is lost, over n²: 60 impacts of each (numerics, 16; 2026-11-29).
-inline constexpr double nodes_of_asperities = 0.15, nodes_of_coats = 1.5;
+/// A constant of rough or coated faces at walls and between bodies, which ring, and on half-spaces and plates.
+struct OnFaces {
+  double at_walls, on_waves;
+};
+
+// Of what is lost: over n² of edges, as far as asperities do not smear them out, and of what coats take; over (h/a)⁴ of
+// asperities. 144 impacts with 16 to 128 nodes, and reference_faces.csv (numerics, 16; 2026-11-29).
+inline constexpr OnFaces nodes_of_edges{0.3, 0.05}, nodes_of_coats{3.0, 0.3};
+inline constexpr OnFaces nodes_of_asperities{1.0, 0.2}, nodes_of_asperities_on_a_line{0.3, 0.1};
+inline constexpr double nodes_of_lossy_coats = 6.0;
+// Of force and time, over n²; of the compression, over h²/R: the same.
+inline constexpr double nodes_of_pulse = 0.05, spacing_of_balls = 0.026, spacing_on_a_line = 0.013;
 
 // Half-spaces: reference_half_spaces.csv (2026-11-22). Plates: 60 random impacts, reference_plates.csv (2026-11-28).
 inline constexpr double least_returned = 0.5;  // of the doubt, where only the body gives back

@@ -8,6 +8,7 @@
 #include "contact/touch.hpp"
 #include "contact/unit_ratios.hpp"
 #include "restitution/calibration.hpp"
+#include "restitution/face_errors.hpp"
 #include "restitution/ladder/climb.hpp"
 #include "restitution/layer_doubt.hpp"
 #include "restitution/loss_shares.hpp"
@@ -96,8 +97,8 @@ Bar lost_on_a_growing_contact(const Contact& contact, double speed, const std::v
   const double calm = plate ? calm_on_a_plate : 1.0;
   doubt.error = calm * rebound(contact, last) * std::max(least_returned, returned(contact)) * doubt.error;
   doubt.error *= last.unresolved;
-  Bar bar{&Restitution::lost_fraction, corrected(last), {doubt, node_error_of_losses(contact, last)}};
-  bar.terms.push_back(node_error_of_faces(contact, speed, last));
+  Bar bar{&Restitution::lost_fraction, corrected(last), {doubt, node_error_of_losses(contact, speed, last)}};
+  bar.terms.push_back(lost_error_of_faces(contact, speed, last));
   if (contact.unbounded && last.remaining == 0.0) {  // a body that stays could have nothing more taken
     const double waves = plate ? waves_of_a_plate : waves_of_a_half_space;
     bar.terms.push_back({plate ? "waves_of_a_plate" : "waves_of_a_half_space", waves,
@@ -116,7 +117,7 @@ Bar lost_at_a_point(const std::vector<Run>& runs, double order) {
            by_differences("lost_at_a_point.safety", calibration::lost_at_a_point, runs, order, &Run::lost_fraction)}};
 }
 
-std::vector<Bar> other_bars(const Contact& contact, const Restitution& result, double order) {
+std::vector<Bar> other_bars(const Contact& contact, double speed, const Restitution& result, double order) {
   using namespace calibration;
   const std::vector<Run>& runs = result.runs;
   const Run& last = runs.back();
@@ -140,7 +141,7 @@ std::vector<Bar> other_bars(const Contact& contact, const Restitution& result, d
   const double peak = amplitude * std::sqrt(std::max(0.0, last.unresolved));
   Term force{calm ? "roughness" : "focus", calm ? roughness : focus, peak * last.max_force};
   if (at_a_point && ripple > peak) force = {"ripple", ripple, ripple * last.max_force};
-  const Term nodes = at_a_point ? Term{} : node_error_of_losses(contact, last);
+  const Term nodes = at_a_point ? Term{} : node_error_of_losses(contact, speed, last);
   const double closest = turn * last.unresolved, missing = closest + nodes.error;
   Term compression = closest < nodes.error ? nodes : Term{"turn", turn, 0.0};
   compression.error = missing * std::abs(last.max_compression);
@@ -152,16 +153,18 @@ std::vector<Bar> other_bars(const Contact& contact, const Restitution& result, d
           {&Restitution::impulse_time,
            last.impulse_time,
            {differences("smooth.safety", smooth, &Run::impulse_time), parts,
-            yield_error_of_time(contact, result, last.impulse_time)}},
+            yield_error_of_time(contact, result, last.impulse_time),
+            pulse_error_of_faces(contact, last, last.impulse_time)}},
           {&Restitution::max_force,
            last.max_force,
            {of_waves ? differences("force_of_waves.safety", force_of_waves, &Run::max_force)
                      : differences("max_force.safety", calibration::max_force, &Run::max_force),
-            force, yield_error_of_force(contact, result, last.max_force)}},
+            force, yield_error_of_force(contact, result, last.max_force),
+            pulse_error_of_faces(contact, last, last.max_force)}},
           {&Restitution::max_compression,
            last.max_compression,
            {differences("smooth.safety", smooth, &Run::max_compression), compression,
-            yield_error_of_force(contact, result, last.max_compression)}}};
+            yield_error_of_force(contact, result, last.max_compression), compression_error_of_faces(contact, last)}}};
 }
 
 }  // namespace
@@ -170,9 +173,9 @@ const Term& Bar::greatest() const {
   return *std::max_element(terms.begin(), terms.end(), [](const Term& a, const Term& b) { return a.error < b.error; });
 }
 
-double convergence_order(const Contact& contact) {
+double convergence_order(const Contact& contact, double speed) {
   if (has_single_point(contact)) return calibration::lost_at_a_point.order;
-  const bool slower = loses(contact) && contact.yield.yield == 0.0;
+  const bool slower = loses(contact) && contact.yield.yield == 0.0 && leaves_edge(contact, speed);
   return slower ? calibration::order_of_losses : calibration::lost_fraction.order;
 }
 
@@ -183,8 +186,8 @@ double sensitivity(const Contact& contact, double lost) {
 }
 
 std::vector<Bar> error_bars(const Contact& contact, double speed, const Restitution& result) {
-  const double order = convergence_order(contact);
-  std::vector<Bar> bars = other_bars(contact, result, order);
+  const double order = convergence_order(contact, speed);
+  std::vector<Bar> bars = other_bars(contact, speed, result, order);
   bars.insert(bars.begin(), has_single_point(contact) ? lost_at_a_point(result.runs, order)
                                                       : lost_on_a_growing_contact(contact, speed, result.runs, order));
   return bars;

@@ -29,8 +29,8 @@ struct Bar {
 [[nodiscard]] std::vector<Bar> error_bars(const Contact& contact, double speed, const Restitution& result);
 
 /// Order of convergence of 1 − ε² in the cutoff, as observed: with one point of contact the force jumps, on a surface
-/// it grows, and slower in lossy bodies.
-[[nodiscard]] double convergence_order(const Contact& contact);
+/// it grows, and slower where lossy bodies have a sharp edge.
+[[nodiscard]] double convergence_order(const Contact& contact, double speed);
 
 /// By what the loss changes with the compliance of what is met, relative to it: a half-space takes in proportion, and a
 /// plate leaves a rebound ε² = 1 − q that falls exponentially with it, as in Zener's theory.

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/faces/coats.hpp"
 #include "contact/touch.hpp"
 #include "contact/unit_ratios.hpp"
 #include "restitution/calibration.hpp"
-#include "stoss/contact/grid.hpp"
+#include "restitution/face_errors.hpp"
 
 namespace stoss {
 namespace {
@@ -36,24 +35,14 @@ double left_by_relaxing(const Contact& contact, double nodes, double duration) {
 
 }  // namespace
 
-Term node_error_of_losses(const Contact& contact, const Run& run) {
+Term node_error_of_losses(const Contact& contact, double speed, const Run& run) {
   if (!loses(contact) || contact.yield.yield > 0.0) return {};
   const bool circle = touch(contact).circle;
   const double constant = circle ? calibration::nodes_of_balls : calibration::nodes_on_a_line;
   const double nodes = run.resolution.nodes;
   return {circle ? "nodes_of_balls" : "nodes_on_a_line", constant,
-          constant * run.dissipated / (nodes * nodes) * left_by_relaxing(contact, nodes, run.contact_time)};
-}
-
-Term node_error_of_faces(const Contact& contact, double speed, const Run& run) {
-  using namespace calibration;
-  const double nodes = run.resolution.nodes, of_lost = std::abs(run.lost_fraction) / (nodes * nodes);
-  const double length = coat_compliance(contact) / touch(contact).softness;
-  const double whole = length + expected_half_width(contact, speed);
-  const double coats = length > 0.0 ? nodes_of_coats * std::sqrt(length / whole) : 0.0;
-  const double asperities = contact.asperities > 0.0 ? nodes_of_asperities : 0.0;
-  if (coats > asperities) return {"nodes_of_coats", nodes_of_coats, coats * of_lost};
-  return {asperities > 0.0 ? "nodes_of_asperities" : "", nodes_of_asperities, asperities * of_lost};
+          constant * run.dissipated / (nodes * nodes) * left_by_relaxing(contact, nodes, run.contact_time) *
+              edge_left(contact, speed, run)};
 }
 
 }  // namespace stoss

@@ -7,10 +7,7 @@
 namespace stoss {
 
 /// Error of what the material takes in one run, from its nodes: those that a lossy contact leaves are the worse
-/// resolved the fewer there are and the less each of them relaxes meanwhile.
-[[nodiscard]] Term node_error_of_losses(const Contact& contact, const Run& run);
-
-/// Error of 1 − ε² in one run, from nodes between rough or coated faces; none between others.
-[[nodiscard]] Term node_error_of_faces(const Contact& contact, double speed, const Run& run);
+/// resolved the fewer there are and the less each of them relaxes meanwhile. Asperities smear out the edge that leaves.
+[[nodiscard]] Term node_error_of_losses(const Contact& contact, double speed, const Run& run);
 
 }  // namespace stoss

@@ -47,8 +47,8 @@ TEST(RoughFaces, ForcesObeyTheLawAndAreTheGradientOfTheEnergy) {
         if (!(found[i] > 1e-9 * found[0])) continue;
         // g = W f − q = g* − u₀ ln(f/f*) but for what the smooth edge has closed.
         const double smooth = std::min(1.0, std::sqrt(found[i] / law.edge_force[i])), open = 1.0 - smooth;
-        const double gap =
-            law.gap[i] - length * std::log(found[i] / law.force[i]) - law.edge_gap[i] * (1.0 - open * open);
+        const double gap = law.gap[i] - length * std::log(found[i] / law.force[i]) -
+                           law.edge_gap[i] * (law.edge_open[i] - open * open);
         EXPECT_NEAR(displaced[i] - q[i], gap, 1e-9 * (length + std::abs(q[i]))) << length << " " << depth << " " << i;
       }
       for (const std::size_t i : {0U, 5U}) {
@@ -82,6 +82,17 @@ TEST(RoughFaces, TwoOfThemAddTheirSquares) {
   EXPECT_DOUBLE_EQ(both.asperities, 0.005);
   const Impact one = impact(contact(rough(ball, 0.005)(10.0, {}), ball(10.0, {})), 0.1);
   EXPECT_DOUBLE_EQ(impact(both, 0.1).restitution, one.restitution);
+}
+
+// Asperities far shorter than the gap that the edge of a coat opens over a spacing: the gap of a node must not jump
+// where its force begins, or a position between has no force.
+TEST(RoughFaces, HaveForcesAtAnyPositionOnACoat) {
+  const BodyMaker ball = coated(sphere({.poisson = 0.29}), {0.436, 1.5, Relaxation{{{0.2, 10.0}}}});
+  for (const double length : {6.5e-6, 1e-6, 1e-7}) {
+    const Contact wall = contact(rough(ball, length)(25.0, {}));
+    const Impact found = impact(wall, 5.8e-4, {.resolution = {.step = 8e-3, .nodes = 64}});
+    EXPECT_NEAR(found.energy_error, 0.0, 1e-4) << length;
+  }
 }
 
 TEST(RoughFaces, AreSmoothWhereAsperitiesAreShort) {

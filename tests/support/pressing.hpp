@@ -20,7 +20,7 @@ class Pressing {
  public:
   Pressing(const Contact& contact, double width, int nodes)
       : grid_(contact_grid(contact, width, nodes)),
-        shift_(touch_compression(contact, grid_)),
+        shift_(touch_compression(contact, grid_, 1.0)),
         with_law_(residual_compliance(contact, grid_), edge_law(contact, grid_, 0.0), grid_.recess.size(), {}),
         without_(residual_compliance(contact, grid_), grid_.recess.size()),
         force_(grid_.recess.size()),

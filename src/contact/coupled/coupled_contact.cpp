@@ -69,7 +69,7 @@ EdgeLaw on_sides(std::size_t sides, EdgeLaw law) {
   for (auto* array : {&law.force, &law.edge_force}) {
     for (double& each : *array) each *= 0.5;
   }
-  for (auto* array : {&law.force, &law.gap, &law.edge_force, &law.edge_gap}) {
+  for (auto* array : {&law.force, &law.gap, &law.edge_force, &law.edge_gap, &law.edge_open}) {
     const std::vector<double> side = *array;
     array->insert(array->end(), side.begin(), side.end());
   }

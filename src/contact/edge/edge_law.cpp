@@ -19,10 +19,15 @@ constexpr double gap_constant = 0.6177;
 constexpr double least = 1e-6;  // that a law is scaled by
 constexpr double outrun = 0.5;  // fit: the edge, which moves at v/(y/R), opens a smaller gap above the wave speed
 
+/// Half of what a coat that bodies flatten but for the length ℓ = C E* opens over a spacing at its edge: the slope
+/// there is that of Hertz' gap at the distance ℓ.
+double coat_gap(const Touch& met, double length, double at, double spacing) {
+  return 0.5 * met.curvature * at * std::sqrt(length / (length + at)) * spacing;
+}
+
 /// Makes it the law of a coat where that is as soft as the bodies over a spacing. A coat alone, whose closure falls
 /// with the slope s from the middle of a node's width h on, has the law f = f*(…)² exactly, with g* = sh/2 and f* = A
-/// g*/C. The slope at the edge of a contact that bodies flatten but for the length ℓ = C E* is that of Hertz' gap
-/// there.
+/// g*/C.
 void add_coats(const Contact& contact, const ContactGrid& grid, EdgeLaw& law) {
   const double compliance = coat_compliance(contact);
   if (compliance == 0.0) return;
@@ -30,9 +35,8 @@ void add_coats(const Contact& contact, const ContactGrid& grid, EdgeLaw& law) {
   const double length = compliance / met.softness, spacing = grid.points.spacing * grid.points.radius;
   const std::vector<double> area = projected_areas(contact, grid.points);
   for (std::size_t i = 0; i < law.gap.size(); ++i) {
-    const double at = grid.coordinate[i], slope = met.curvature * at * std::sqrt(length / (length + at));
     const double of_bodies = law.gap[i] / law.force[i];
-    law.gap[i] = std::hypot(law.gap[i], 0.5 * slope * spacing);
+    law.gap[i] = std::hypot(law.gap[i], coat_gap(met, length, grid.coordinate[i], spacing));
     law.force[i] = law.gap[i] / (of_bodies + compliance / area[i]);
   }
 }
@@ -43,6 +47,19 @@ double opening_constant(bool circle) {
   return circle ? line * 4.0 / std::numbers::pi : line;
 }
 
+/// The same of this contact, in which the edge, at a place, may outrun the waves.
+double opening_at(const Touch& met, double at, double speed) {
+  const double mach = outrun * speed * met.slowness / (met.curvature * at);
+  return opening_constant(met.circle) * met.curvature * std::sqrt(at) / (1.0 + mach * mach);
+}
+
+/// Share of the gap of an edge that asperities do not smear out.
+double left_by(double asperities, double gap) {
+  constexpr double smears = 3.0;  // fit: impacts on 24 to 256 rings agree best, to 1e-4 of what they lose on 32
+  const double square = gap * gap, smeared = smears * asperities;
+  return square == 0.0 ? 0.0 : square / (square + smeared * smeared);
+}
+
 EdgeLaw law_of_smooth_faces(const Contact& contact, const ContactGrid& grid, double speed) {
   EdgeLaw law;
   if (has_single_point(contact)) return law;
@@ -50,11 +67,8 @@ EdgeLaw law_of_smooth_faces(const Contact& contact, const ContactGrid& grid, dou
   law.loss_time = met.loss_time;
   law.relaxing = relaxing_bodies(contact);
   const double spacing = grid.points.spacing * grid.points.radius;
-  const double constant = opening_constant(met.circle);
   for (std::size_t i = 0; i < grid.coordinate.size(); ++i) {
-    const double at = grid.coordinate[i];
-    const double mach = outrun * speed * met.slowness / (met.curvature * at);
-    const double opening = constant * met.curvature * std::sqrt(at) / (1.0 + mach * mach);
+    const double opening = opening_at(met, grid.coordinate[i], speed);
     const double edges =
         met.circle ? std::numbers::pi * grid.points.radius * std::sin(grid.points.angle(i)) : 1.0;  // pairs
     law.force.push_back(force_constant * edges * opening * spacing * std::sqrt(spacing) / met.softness);
@@ -66,7 +80,6 @@ EdgeLaw law_of_smooth_faces(const Contact& contact, const ContactGrid& grid, dou
 /// Puts asperities in series with the law of smooth faces.
 void add_asperities(const Contact& contact, const ContactGrid& grid, double speed, EdgeLaw& law) {
   constexpr double negligible = 1e-12;   // of the energy, and of the force that stops the body in the time of a wave
-  constexpr double smears = 3.0;         // fit: impacts on 24 to 256 rings agree best, to 1e-4 of what they lose on 32
   constexpr double as_if_smooth = 1e-6;  // of the gap of an edge: 1e-6 of what is lost
   const double length = contact.asperities;
   if (!law.gap.empty() && length < as_if_smooth * law.gap.back()) return;
@@ -75,16 +88,17 @@ void add_asperities(const Contact& contact, const ContactGrid& grid, double spee
   const bool point = has_single_point(contact);  // which has no edge
   law.edge_force = point ? std::vector{1.0} : law.force;
   law.edge_gap = point ? std::vector{0.0} : law.gap;
-  for (double& each : law.edge_gap) {
-    const double square = each * each, smeared = smears * length;
-    each *= square == 0.0 ? 0.0 : square / (square + smeared * smeared);
-  }
+  for (double& each : law.edge_gap) each *= left_by(length, each);
   law.force = projected_areas(contact, grid.points);
   const double area = std::accumulate(law.force.begin(), law.force.end(), 0.0);
   const double pressure = negligible * contact.mass * speed * std::min(0.5 * speed / length, contact.cutoff) / area;
   for (double& each : law.force) each *= pressure;
   law.gap.assign(law.force.size(), length * (std::log(contact.strength / length) - std::log(pressure)));
-  for (std::size_t i = 0; i < law.edge_gap.size(); ++i) law.gap[i] += law.edge_gap[i];
+  for (std::size_t i = 0; i < law.edge_gap.size(); ++i) {
+    const double open = 1.0 - std::min(1.0, std::sqrt(law.force[i] / law.edge_force[i]));
+    law.edge_open.push_back(open * open);
+    law.gap[i] += law.edge_gap[i] * law.edge_open[i];
+  }
 }
 
 }  // namespace
@@ -96,7 +110,8 @@ double EdgeLaw::energy_at(std::size_t i, double closure) const {
   if (asperities == 0.0) return of_edge(full_force(i), full_gap(i), std::clamp(closure, 0.0, 1.0));
   const double its = force_at(i, closure);
   if (!(its > 0.0)) return 0.0;
-  const double of_asperities = its * (gap[i] - edge_gap[i] - asperities * closure) + asperities * (its - force[i]);
+  const double alone = gap[i] - edge_gap[i] * edge_open[i] - asperities * closure;
+  const double of_asperities = its * alone + asperities * (its - force[i]);
   return of_asperities + of_edge(edge_force[i], edge_gap[i], edge_closure(i, closure));
 }
 
@@ -159,6 +174,15 @@ double EdgeLaw::range(const std::vector<double>& recess) const {
   double range = 0.0;
   for (std::size_t i = 0; i < gap.size(); ++i) range = std::max(range, gap[i] - recess[i]);
   return range;
+}
+
+double edge_left(const Contact& contact, const ContactGrid& grid, double speed) {
+  if (contact.asperities == 0.0 || has_single_point(contact)) return 1.0;
+  const double spacing = grid.points.spacing * grid.points.radius;
+  const Touch met = touch(contact);
+  const double at = expected_half_width(contact, speed), length = coat_compliance(contact) / met.softness;
+  const double gap = gap_constant * opening_at(met, at, speed) * spacing * std::sqrt(spacing);
+  return left_by(contact.asperities, std::hypot(gap, coat_gap(met, length, at, spacing)));
 }
 
 EdgeLaw edge_law(const Contact& contact, const ContactGrid& grid, double speed) {

@@ -29,7 +29,8 @@ struct EdgeLaw {
   std::vector<double> gap;               ///< g* of each node, R
   double asperities = 0.0;               ///< u₀, R; 0 between smooth faces
   std::vector<double> edge_force{};      ///< what f* is between smooth faces, and
-  std::vector<double> edge_gap{};        ///< g*, as far as the edge is not smeared out; both of rough faces alone
+  std::vector<double> edge_gap{};        ///< g*, as far as the edge is not smeared out, and
+  std::vector<double> edge_open{};       ///< the share of it that is left at f*; all three of rough faces alone
   double loss_time = 0.0;                ///< η of what meets, R/c
   std::vector<RelaxingBody> relaxing{};  ///< of what meets
   double firmness = 1.0;                 ///< by which all f* are multiplied at present (follow)
@@ -55,8 +56,9 @@ struct EdgeLaw {
   /// g for any closure: 0 from 1 on, or below 0 where asperities are pressed beyond their mean plane.
   [[nodiscard]] double gap_at(std::size_t i, double closure) const {
     if (asperities > 0.0) {
+      if (!(closure > 0.0)) return gap[i] - asperities * closure;
       const double open = 1.0 - edge_closure(i, closure);
-      return gap[i] - asperities * closure - edge_gap[i] * (1.0 - open * open);
+      return gap[i] - asperities * closure - edge_gap[i] * (edge_open[i] - open * open);
     }
     return closure < 1.0 ? full_gap(i) * (1.0 - closure) * (1.0 - closure) : 0.0;
   }
@@ -130,5 +132,9 @@ struct EdgeLaw {
 /// or pushes as little in the time 1/ω_c.
 /// @param speed of an impact with all the energy there is, which says how fast the edge moves
 [[nodiscard]] EdgeLaw edge_law(const Contact& contact, const ContactGrid& grid, double speed);
+
+/// Share of the gap of a smooth edge that asperities leave at the edge of the contact that is expected; 1 between
+/// smooth faces. @param speed as above
+[[nodiscard]] double edge_left(const Contact& contact, const ContactGrid& grid, double speed);
 
 }  // namespace stoss

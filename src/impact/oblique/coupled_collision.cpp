@@ -24,6 +24,9 @@ double softness_ratio(const Contact& contact, const std::vector<Contact>& along)
   return along.size() == 1 ? 1.0 : touch(along.front()).softness / touch(contact).softness;
 }
 
+/// Of an impact with all the energy that there is.
+double whole_speed(const ObliqueFrame& frame) { return std::sqrt(2.0 * frame.normal_energy / frame.mass); }
+
 }  // namespace
 
 CoupledCollision::CoupledCollision(const Contact& contact, const std::vector<Contact>& along,
@@ -36,15 +39,15 @@ CoupledCollision::CoupledCollision(const Contact& contact, const std::vector<Con
       step_(resolution.step),
       points_(grid.points),
       modes_(along, points_, resolution, poll),
-      law_(edge_law(contact, grid, std::sqrt(2.0 * frame.normal_energy / frame.mass))),
+      law_(edge_law(contact, grid, whole_speed(frame))),
       nodes_(modes_.compliance(poll), law_, obliquity.friction, softness_ratio(contact, along), poll),
       center_(contact.mass, step_, frame.speed),
       history_(step_),
       recess_(VectorXd::Map(grid.recess.data(), static_cast<Index>(points_.count))
                   .replicate(static_cast<Index>(along.size()), 1)),
       range_(law_.range(grid.recess)),
-      touch_(touch_compression(contact, grid)),
-      threshold_(force_that_counts(contact, std::sqrt(2.0 * frame.normal_energy / frame.mass))),
+      touch_(touch_compression(contact, grid, edge_left(contact, grid, whole_speed(frame)))),
+      threshold_(force_that_counts(contact, whole_speed(frame))),
       lossy_(loses(contact)),
       first_share_(loss_share(contact)),
       start_compression_(start ? contact_.extent + start->center

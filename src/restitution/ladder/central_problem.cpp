@@ -60,7 +60,7 @@ CentralProblem::CentralProblem(const RefinableContact& contact, double speed, co
     : where{contact, speed, options.poll, contact.stretch(speed), contact.levels(speed, duration_margin, options.poll)},
       options_(options),
       correction_(curvature_correction(contact, speed, options.poll)),
-      order_(convergence_order(where.probe())),
+      order_(convergence_order(where.probe(), speed)),
       energy_(whole_energy(options.vibration)),
       next_{.rungs = second_rung(where.probe())} {
   where.levels.lowest = lowest_level(contact, options.vibration, where.levels, options.poll);

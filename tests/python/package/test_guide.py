@@ -29,8 +29,8 @@ PAGES = (
     "README.md", "docs/start/first_impact.md", "docs/understand/when_elasticity_decides.md", TOUR,
     *(f"docs/tutorials/{name}.md" for name in ("drop_test", "lammps", "event_driven", "cad")),
     *(f"docs/howto/{name}.md" for name in (
-        "units", "accuracy", "warnings", "curves", "plates", "two_bodies", "friction", "loss", "vibration", "engines",
-        "sweeps", "plots", "export", "sound")),
+        "units", "accuracy", "warnings", "curves", "plates", "two_bodies", "friction", "loss", "roughness", "vibration",
+        "engines", "sweeps", "plots", "export", "sound")),
     "docs/reference/python.md", "docs/reference/laws.md",
 )  # fmt: skip
 # Pictures that a page draws and shows.

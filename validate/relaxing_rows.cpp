@@ -1,4 +1,4 @@
-#include "relaxing_report.hpp"
+#include "relaxing_rows.hpp"
 
 #include <ostream>
 #include <string>
@@ -11,8 +11,6 @@ namespace validate {
 void write_relaxing_points(std::ostream& out, const std::vector<Point>& points, const std::vector<Answer>& answers) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point& point = points[i];
-    const stoss::Estimate &reference = *point.reference[lost_fraction], &value = answers[i].value[lost_fraction];
-    const Deviation off = deviation(value, reference);
     out << "| " << (point.sphere ? "sphere" : "disk") << " | " << text_of(point.relaxation) << " |"
         << cell("%g", point.poisson);
     if (point.against) {
@@ -22,9 +20,8 @@ void write_relaxing_points(std::ostream& out, const std::vector<Point>& points, 
     } else {
       out << " | | |";
     }
-    out << cell("%.4g", point.speed) << cell("%.8f", reference.value) << cell("%.1e", reference.error)
-        << cell("%.8f", value.value) << cell("%.1e", value.error) << cell(off.padding ? "%.2f" : "%.2f u", off.ratio)
-        << cell("%.0f", answers[i].cutoff) << "\n";
+    out << cell("%.4g", point.speed);
+    write_answer(out, point, answers[i]);
   }
 }
 
