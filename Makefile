@@ -88,14 +88,15 @@ calibrate: setup ## what the references ask of each constant of the error bars (
 
 validate: setup ## do the errors of restitution hold? writes docs/developer/validation.md, its points as CSV and picture
 	@cmake --preset release -DSTOSS_BUILD_VALIDATE=ON
-	@cmake --build --preset release -j $(JOBS) --target stoss_validate
+	@cmake --build --preset release -j $(JOBS) --target stoss_validate stoss_validate_rows
 	@build/release/validate/stoss_validate --markdown=docs/developer/validation.md
 	@$(PYTHON) validate/scatter.py docs/developer/validation.md docs/results/validation.csv docs/images/validation.png
+	@build/release/validate/stoss_validate_rows 40 > docs/results/rows_validation.csv
 
 results: setup python ## the tables of docs/results/ and the figures of docs/understand/
 	@cmake --preset release -DSTOSS_BUILD_STUDIES=ON
 	@cmake --build --preset release -j $(JOBS) --target stoss_curves stoss_gas stoss_half_space stoss_loss stoss_oblique \
-		stoss_pairs stoss_plates stoss_rough_gas stoss_spheres stoss_vibration
+		stoss_pairs stoss_plates stoss_rough_gas stoss_rows stoss_spheres stoss_vibration
 	@build/release/studies/stoss_curves docs/results/restitution.csv
 	@build/release/studies/stoss_pairs docs/results/pairs.csv
 	@$(PYTHON) studies/pairs/figure.py docs/results/pairs.csv docs/images/pairs.png
@@ -105,6 +106,9 @@ results: setup python ## the tables of docs/results/ and the figures of docs/und
 	@$(PYTHON) studies/relaxing/figure.py docs/results/relaxing docs/images
 	@$(PYTHON) studies/rough/make.py build/release/cli/stoss docs/results/rough
 	@$(PYTHON) studies/rough/figure.py docs/results/rough docs/images
+	@$(PYTHON) studies/rows/make.py build/release/cli/stoss docs/results/rows
+	@build/release/studies/stoss_rows docs/results/rows build/rows_wave.csv
+	@$(PYTHON) studies/rows/figure.py docs/results/rows build/rows_wave.csv docs/images
 	@build/release/examples/gas/stoss_gas docs/results/gas.csv build/gas_disks.csv
 	@$(PYTHON) studies/gas/figure.py docs/results/gas.csv build/gas_disks.csv docs/images/gas.png
 	@build/release/examples/gas/stoss_rough_gas docs/results/rough_gas.csv

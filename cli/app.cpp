@@ -58,6 +58,8 @@ void declare(CLI::App& app, std::string_view commit) {
   add_distribution(app);
   add_quasistatic(app);
   add_predict(app);
+  add_pulse(app);
+  add_row(app);
   add_table(app);
   add_fit(app);
   add_relaxation(app);

@@ -37,6 +37,8 @@ void add_oblique(CLI::App& app);
 void add_distribution(CLI::App& app);
 void add_quasistatic(CLI::App& app);
 void add_predict(CLI::App& app);
+void add_pulse(CLI::App& app);
+void add_row(CLI::App& app);
 void add_table(CLI::App& app);
 void add_relaxation(CLI::App& app);
 void add_materials(CLI::App& app);

@@ -12,7 +12,7 @@ struct Names {
 };
 
 // In the order of Dimension.
-constexpr std::array<Names, 9> names{{{"", {"", "", "", "", "", ""}},
+constexpr std::array<Names, 10> names{{{"", {"", "", "", "", "", ""}},
                                       {"length", {"R", "L", "m", "m", "R", "m"}},
                                       {"inverse length", {"1/R", "1/L", "1/m", "1/m", "1/R", "1/m"}},
                                       {"time", {"R/c", "L/c", "s", "s", "R/c", "s"}},
@@ -20,7 +20,8 @@ constexpr std::array<Names, 9> names{{{"", {"", "", "", "", "", ""}},
                                       {"frequency", {"c/R", "c/L", "rad/s", "rad/s", "c/R", "rad/s"}},
                                       {"force", {"piRE", "EA", "N/m", "N", "mc^2/R", "N"}},
                                       {"energy", {"mc^2", "mc^2", "J/m", "J", "mc^2", "J"}},
-                                      {"acceleration", {"c^2/R", "c^2/L", "m/s^2", "m/s^2", "c^2/R", "m/s^2"}}}};
+                                      {"acceleration", {"c^2/R", "c^2/L", "m/s^2", "m/s^2", "c^2/R", "m/s^2"}},
+                                      {"momentum", {"mc", "mc", "N s/m", "N s", "mc", "N s"}}}};
 
 const Names& of(Dimension dimension) { return names.at(static_cast<std::size_t>(dimension)); }
 
@@ -50,6 +51,8 @@ double unit_in_si(Dimension dimension, const Scales& scales) {
       return scales.force * scales.length;
     case Dimension::acceleration:
       return scales.speed / scales.time;
+    case Dimension::momentum:
+      return scales.force * scales.time;
     case Dimension::none:
       break;
   }

@@ -16,7 +16,7 @@
 namespace stoss {
 
 /// What a quantity is measured in; `none` for a pure number, a share of energy, a flag or a name.
-enum class Dimension { none, length, inverse_length, time, speed, frequency, force, energy, acceleration };
+enum class Dimension { none, length, inverse_length, time, speed, frequency, force, energy, acceleration, momentum };
 
 /// Units of the first body, R and c of a disk or a sphere or L and c of a rod, and what they are in SI. Forces and
 /// energies of a disk are per thickness.

@@ -165,6 +165,16 @@ module stoss
       type(stoss_oblique_result), intent(inout) :: results(count)
     end function stoss_oblique
 
+    integer(c_int) function stoss_row(json, speeds, count, tolerance, control, velocities) bind(c)
+      import
+      character(c_char), intent(in) :: json(*)
+      integer(c_size_t), value :: count
+      real(c_double), intent(in) :: speeds(count)
+      real(c_double), value :: tolerance
+      type(stoss_control), intent(in) :: control
+      type(stoss_estimate), intent(inout) :: velocities(count)
+    end function stoss_row
+
     integer(c_int) function stoss_function_make(contact, slowest, fastest, error, beyond, control, handle) bind(c)
       import
       type(c_ptr), value :: contact

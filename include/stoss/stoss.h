@@ -3,8 +3,8 @@
 
 /**
  * @file
- * The C interface of the library: bodies, contacts, the coefficient of restitution, the function of the speed, and
- * oblique impacts with friction.
+ * The C interface of the library: bodies, contacts, the coefficient of restitution, the function of the speed, oblique
+ * impacts with friction, and rows of bodies.
  *
  * It is C89, and C++ and bind(C) of Fortran (stoss.f90) can use it. Link it with `pkg-config --libs stoss`.
  *
@@ -233,6 +233,23 @@ typedef struct stoss_oblique_result {
  */
 int stoss_oblique(const stoss_contact* contact, const stoss_obliquity* obliquities, size_t count, double tolerance,
                   const stoss_control* control, stoss_oblique_result* results);
+
+/**
+ * Computes the velocities of bodies on one line after all their contacts, of a row that a JSON document describes, as in
+ *
+ *     {"bodies": [{"kind": "sphere", "radius": 0.01, "material": "glass"}, {"kind": "sphere", "radius": 0.02,
+ *      "material": "glass"}], "before": "wall", "after": "wall", "gaps": [0, 1e-6, 0]}
+ *
+ * Where the tolerance is not met the status is STOSS_NOT_CONVERGED, and `velocities` has the best values.
+ * @param speeds     of the bodies to the right, in m/s if the first has a material, else in its c
+ * @param count      of the bodies
+ * @param tolerance  error of each velocity over the greatest difference of speeds, 1e-6 to 1; 1e-3 is good for most
+ *                   purposes
+ * @param control    or NULL
+ * @param velocities `count` of them, to the right, in the unit of the speeds
+ */
+int stoss_row(const char* json, const double* speeds, size_t count, double tolerance, const stoss_control* control,
+              stoss_estimate* velocities);
 
 /** The coefficient of restitution as a function of the speed. */
 typedef struct stoss_function stoss_function;

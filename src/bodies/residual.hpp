@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "stoss/bodies/round.hpp"
@@ -93,7 +94,7 @@ struct OrderSum {
 
 /// Static response of the modes of a disk or a sphere that are not kept, between contact points.
 /// @tparam Shape tells the two apart: its static_flexibility and static_second_moment of an order, its `sum` over the
-///               orders, and its stable_share
+///               orders, its stable_share, its mass, and its Loads, what forces at points are to each order in turn
 template <typename Shape>
 class Residual {
  public:
@@ -110,6 +111,34 @@ class Residual {
   [[nodiscard]] std::vector<double> second_moment(const ContactPoints& points, const Poll& poll = {}) const {
     const auto whole = [this](int n) { return Shape::static_second_moment(poisson_, n); };
     return Shape::sum({poisson_, false, kept_.remaining_second_moment(highest_order_, whole)}, points, poll);
+  }
+
+  /// Σ_n (−1)^n R_n between points here and at the opposite face: smooth, as no force acts where it is asked for, so
+  /// that the sum, faded out over its last half, has no error that counts from some orders above the kept ones on.
+  [[nodiscard]] std::vector<double> opposite_compliance(const ContactPoints& here, const ContactPoints& there) const {
+    constexpr int enough = 128;
+    const int orders = std::max(enough, 3 * kept_.orders());
+    typename Shape::Loads mine(here), others(there);
+    std::vector<double> sum(here.count * there.count);
+    for (int n = 0; n < orders; ++n, mine.advance(), others.advance()) {
+      Flexibility r = Shape::static_flexibility(poisson_, n);
+      if (n < kept_.orders()) {
+        r.radial -= kept_.compliance(n).radial;
+        r.mixed -= kept_.compliance(n).mixed;
+        r.tangential -= kept_.compliance(n).tangential;
+      }
+      const double late = std::max(0.0, 2.0 * n / orders - 1.0);
+      const double weight = (n % 2 == 0 ? 1.0 : -1.0) * std::pow(std::cos(0.5 * std::numbers::pi * late), 2);
+      for (std::size_t i = 0, at = 0; i < here.count; ++i) {
+        const double radial = weight * (r.radial * mine.radial(i) + r.mixed * mine.tangential(i));
+        const double tangential = weight * (r.mixed * mine.radial(i) + r.tangential * mine.tangential(i));
+        for (std::size_t j = 0; j < there.count; ++j, ++at) {
+          sum[at] += radial * others.radial(j) + tangential * others.tangential(j);
+        }
+      }
+    }
+    for (double& each : sum) each /= Shape::mass;
+    return sum;
   }
 
   /// Δt for which Δt² Σ_kept radial² is a share of the radial R_n in the worst order.

@@ -54,6 +54,9 @@ void set_residual(Body& body, std::shared_ptr<const Residual> residual) {
   body.residual_second_moment = [residual](const ContactPoints& points, const Poll& poll) {
     return residual->second_moment(points, poll);
   };
+  body.opposite_compliance = [residual](const ContactPoints& here, const ContactPoints& there) {
+    return residual->opposite_compliance(here, there);
+  };
 }
 
 }  // namespace stoss::bodies

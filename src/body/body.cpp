@@ -86,6 +86,12 @@ double longest_loss_time(const Body& body) {
   return longest;
 }
 
+double opposite_share(const Body& body, const ModeGroup& group, std::size_t index) {
+  // A rod has its modes in one group, the first of which moves both ends outward, as the order 0 of round bodies does.
+  const int turns = body.contour == Contour::flat ? static_cast<int>(index) : group.order;
+  return turns % 2 == 0 ? 1.0 : -1.0;
+}
+
 std::size_t mode_count(const Body& body) {
   std::size_t count = 0;
   for (const ModeGroup& group : body.groups) count += group.omega.size();
@@ -123,6 +129,11 @@ Body rigid(const Body& body) {
       result.residual_second_moment = [values = body.components](const ContactPoints& points, const Poll&) {
         return std::vector<double>(values * points.count * values * points.count);
       };
+  if (body.opposite_compliance) {
+    result.opposite_compliance = [](const ContactPoints& here, const ContactPoints& there) {
+      return std::vector<double>(here.count * there.count);
+    };
+  }
   if (body.along) {
     result.along = [along = body.along](const Poll& poll) {
       std::vector<Body> bodies;

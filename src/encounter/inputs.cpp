@@ -16,8 +16,8 @@ namespace {
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 /// A row of a range that the core has too.
-Input row(std::string_view name, Dimension dimension, const Range& range, std::string_view help, std::vector<Use> uses,
-          std::string_view unit = {}) {
+Input entry(std::string_view name, Dimension dimension, const Range& range, std::string_view help,
+            std::vector<Use> uses, std::string_view unit = {}) {
   return {name,       dimension, unit,           range.low, range.high, range.low_included, range.high_included,
           range.text, help,      std::move(uses)};
 }
@@ -29,75 +29,99 @@ std::vector<Input> rows() {
   constexpr Range angles{-90.0, 90.0, false, false, "above -90 to below 90"};
   constexpr Range above_zero{0.0, no_limit, false, false, "above 0"};
   constexpr auto none = Dimension::none;
-  const std::vector<Use> approach{{impact},       {bounce},          {restitution, series}, {oblique, series},
-                                  {distribution}, {predict, series}, {table, range},        {fit, range}};
+  constexpr Range bodies{1.0, 100.0, true, true, "1 to 100"};
+  constexpr Range gaps{0.0, 1e3, true, true, "0 to 1000"};
+  const std::vector<Use> approach{{impact},          {bounce}, {restitution, series}, {oblique, series}, {distribution},
+                                  {predict, series}, {pulse},  {table, range},        {fit, range}};
   return {
-      row("speed", Dimension::speed, ranges::speed, "Speed of approach, along the normal", approach),
-      row("height", none, above_zero, "Height of a fall without air, in place of --speed, of a body with a material",
-          approach, "m"),
-      row("tangential", Dimension::speed, ranges::along,
-          "Velocity of the centre of the body along the surface, relative to what it meets", {{oblique, series, 0.0}}),
-      row("angle", none, angles, "Angle between the velocity of the centre and the normal, in place of --tangential",
-          {{oblique, series}}, "degrees"),
-      row("spin", Dimension::frequency, ranges::along,
-          "Spin of the body; positive moves its foremost point as --tangential does", {{oblique, series, 0.0}}),
-      row("second_spin", Dimension::frequency, of_any_size,
-          "Spin of the second body, up to 1 c at its surface, with the same sign of sliding", {{oblique, series, 0.0}}),
-      row("friction", none, ranges::friction, "Coefficient of Coulomb's law",
-          {{oblique, number, {}, true}, {fit, number, 0.0}}),
-      row("friction", none, ranges::friction,
-          "With --oblique, of disks that are not equal: the coefficient of Coulomb's law for which the table holds; "
-          "other tables serve any friction",
-          {{table}}),
-      row("ratio", none, ranges::ratio,
-          "Range of the ratio of radii, second body over first: a table of pairs of disks or of spheres, --against "
-          "same or a body, whose radius does not count",
-          {{table, range}}),
-      row("tolerance", none, ranges::tolerance, "Relative error of 1-eps^2 to reach", {{restitution, number, 1e-3}}),
-      row("tolerance", none, ranges::tolerance, "Relative error of 1-eps^2 without models to reach",
-          {{predict, number, 1e-3}}),
-      row("tolerance", none, ranges::sliding_tolerance,
-          "Error to reach of the velocity at which surfaces slide afterwards, over that before or, if larger, the "
-          "friction times the speed",
-          {{oblique, number, 1e-2}}),
-      row("tolerance", none, ranges::rule_tolerance,
-          "With --oblique: maximum error of the sliding after the collision over |v_t| + |spin R| of both bodies + "
-          "MU v",
-          {{table, number, 2e-2}}),
-      row("absolute", none, ranges::absolute,
-          "Absolute error of 1-eps^2 at which to stop, whatever --tolerance says; 0: only the tolerance counts",
-          {{restitution, number, 1e-6}}),
-      row("error", none, ranges::sample_error, "Error of 1-eps^2 of each to reach", {{distribution, number, 1e-3}}),
-      row("error", none, ranges::table_error, "Maximum error of eps at any speed, interpolation included",
-          {{table, number, 1e-3}}),
-      row("temperature", none, ranges::energy,
-          "Mean energy of each mode up to --highest, as a share of the translational one (this or --spectrum)",
-          {{distribution}}),
-      row("highest", none, above_zero,
+      entry("speed", Dimension::speed, ranges::speed, "Speed of approach, along the normal", approach),
+      entry("height", none, above_zero, "Height of a fall without air, in place of --speed, of a body with a material",
+            approach, "m"),
+      entry("speed", Dimension::speed, ranges::along,
+            "Velocities of the bodies to the right, from the first on; those that are left out rest",
+            {{row, series, {}, true}}),
+      entry("tangential", Dimension::speed, ranges::along,
+            "Velocity of the centre of the body along the surface, relative to what it meets",
+            {{oblique, series, 0.0}}),
+      entry("angle", none, angles, "Angle between the velocity of the centre and the normal, in place of --tangential",
+            {{oblique, series}}, "degrees"),
+      entry("spin", Dimension::frequency, ranges::along,
+            "Spin of the body; positive moves its foremost point as --tangential does", {{oblique, series, 0.0}}),
+      entry("second_spin", Dimension::frequency, of_any_size,
+            "Spin of the second body, up to 1 c at its surface, with the same sign of sliding",
+            {{oblique, series, 0.0}}),
+      entry("friction", none, ranges::friction, "Coefficient of Coulomb's law",
+            {{oblique, number, {}, true}, {fit, number, 0.0}}),
+      entry("friction", none, ranges::friction,
+            "With --oblique, of disks that are not equal: the coefficient of Coulomb's law for which the table holds; "
+            "other tables serve any friction",
+            {{table}}),
+      entry("ratio", none, ranges::ratio,
+            "Range of the ratio of radii, second body over first: a table of pairs of disks or of spheres, --against "
+            "same or a body, whose radius does not count",
+            {{table, range}}),
+      entry("tolerance", none, ranges::tolerance, "Relative error of 1-eps^2 to reach", {{restitution, number, 1e-3}}),
+      entry("tolerance", none, ranges::tolerance, "Relative error of 1-eps^2 without models to reach",
+            {{predict, number, 1e-3}}),
+      entry("tolerance", none, ranges::sliding_tolerance,
+            "Error to reach of the velocity at which surfaces slide afterwards, over that before or, if larger, the "
+            "friction times the speed",
+            {{oblique, number, 1e-2}}),
+      entry("tolerance", none, ranges::rule_tolerance,
+            "With --oblique: maximum error of the sliding after the collision over |v_t| + |spin R| of both bodies + "
+            "MU v",
+            {{table, number, 2e-2}}),
+      entry("tolerance", none, ranges::force_tolerance,
+            "Error of the force at any time over its maximum to reach, between flat ends of the maximum alone",
+            {{pulse, number, 1e-2}}),
+      entry("threshold", none, ranges::threshold, "Share of the maximum force above which the duration is taken",
+            {{pulse, number, 1e-2}}),
+      entry("points", none, ranges::points, "Number of instants, and of frequencies", {{pulse, whole, 400.0}}),
+      entry("tolerance", none, ranges::row_tolerance,
+            "Error of each velocity afterwards to reach, over the greatest difference of velocities before",
+            {{row, number, 1e-3}}),
+      entry("absolute", none, ranges::absolute,
+            "Absolute error of 1-eps^2 at which to stop, whatever --tolerance says; 0: only the tolerance counts",
+            {{restitution, number, 1e-6}}),
+      entry("error", none, ranges::sample_error, "Error of 1-eps^2 of each to reach", {{distribution, number, 1e-3}}),
+      entry("error", none, ranges::table_error, "Maximum error of eps at any speed, interpolation included",
+            {{table, number, 1e-3}}),
+      entry("temperature", none, ranges::energy,
+            "Mean energy of each mode up to --highest, as a share of the translational one (this or --spectrum)",
+            {{distribution}}),
+      entry(
+          "highest", none, above_zero,
           "With --temperature: modes up to this frequency in c/R of the first body vibrate (default: 10, where bodies "
           "allow it)",
           {{distribution}}),
-      row("samples", none, ranges::samples, "Number of impacts", {{distribution, whole, 1000.0}}),
-      row("seed", none, ranges::seed, "Seed of the ensemble: another seed, another ensemble",
-          {{distribution, whole, 0.0}}),
-      row("count", none, ranges::count, "Number of impacts", {{bounce, whole, 100.0}}),
-      row("flight_time", Dimension::time, ranges::flight_time,
-          "Time between leaving the wall and touching it (this or --gravity)", {{bounce}}),
-      row("gravity", Dimension::acceleration, ranges::gravity, "Acceleration g: a flight lasts 2v/g", {{bounce}}),
-      row("decay_time", Dimension::time, ranges::decay_time,
-          "Time TAU in which vibrational energies fall in flight as exp(-t/TAU): 0 for at once, no decay without it",
-          {{bounce}}),
-      row("cutoff", none, above_zero,
+      entry("samples", none, ranges::samples, "Number of impacts", {{distribution, whole, 1000.0}}),
+      entry("seed", none, ranges::seed, "Seed of the ensemble: another seed, another ensemble",
+            {{distribution, whole, 0.0}}),
+      entry("count", none, ranges::count, "Number of impacts", {{bounce, whole, 100.0}}),
+      entry("count", none, bodies, "Number of bodies", {{row, whole, 3.0}}),
+      entry("gap", Dimension::length, gaps,
+            "Gaps between neighbours, what stands at an end included: one for all, or one for each from left to right",
+            {{row, series, 0.0}}),
+      entry("until", Dimension::time, ranges::flight_time,
+            "Time after the first contact at which to stop (default: when no bodies can meet any more)", {{row}}),
+      entry("flight_time", Dimension::time, ranges::flight_time,
+            "Time between leaving the wall and touching it (this or --gravity)", {{bounce}}),
+      entry("gravity", Dimension::acceleration, ranges::gravity, "Acceleration g: a flight lasts 2v/g", {{bounce}}),
+      entry("decay_time", Dimension::time, ranges::decay_time,
+            "Time TAU in which vibrational energies fall in flight as exp(-t/TAU): 0 for at once, no decay without it",
+            {{bounce}}),
+      entry(
+          "cutoff", none, above_zero,
           "Highest frequency of the kept modes, in c/R (default: 50, or up to which those of a file are known; less on "
           "a half-space or a plate)",
           {{impact}}),
-      row("cutoff", none, above_zero,
-          "Highest frequency of the kept modes, in c/R (default: 20, or less as of stoss impact)", {{bounce}}),
-      row("step", none, above_zero, "Time step, in R/c (default: recommended)", {{impact}}),
-      row("nodes", none, ranges::nodes, "Number of contact nodes (default: recommended)", {{impact, whole}}),
-      row("adhesion", none, ranges::adhesion,
-          "Work of adhesion of both surfaces (default: that of the materials, 2 sqrt(gamma_1 gamma_2))",
-          {{predict}, {table}}, "J/m^2"),
+      entry("cutoff", none, above_zero,
+            "Highest frequency of the kept modes, in c/R (default: 20, or less as of stoss impact)", {{bounce}}),
+      entry("step", none, above_zero, "Time step, in R/c (default: recommended)", {{impact}}),
+      entry("nodes", none, ranges::nodes, "Number of contact nodes (default: recommended)", {{impact, whole}}),
+      entry("adhesion", none, ranges::adhesion,
+            "Work of adhesion of both surfaces (default: that of the materials, 2 sqrt(gamma_1 gamma_2))",
+            {{predict}, {table}}, "J/m^2"),
   };
 }
 
@@ -136,7 +160,9 @@ const std::vector<std::pair<Question, std::string_view>>& questions() {
                                                                       {distribution, "distribution"},
                                                                       {predict, "predict"},
                                                                       {table, "table"},
-                                                                      {fit, "fit"}};
+                                                                      {fit, "fit"},
+                                                                      {row, "row"},
+                                                                      {pulse, "pulse"}};
   return all;
 }
 

@@ -97,6 +97,7 @@ inline std::vector<double> numbers(const std::string& where, const Json& value, 
 namespace stoss::json {
 
 inline constexpr const char* encounter_format = "stoss encounter 1";
+inline constexpr const char* row_format = "stoss row 1";
 inline constexpr const char* modal_body_format = "stoss modal body 1";
 
 /// Refuses a document of another format than this one, and says so if it is of a later version.

@@ -107,6 +107,7 @@ class PredictionAtSpeed {
 
   /// What the law of yield leaves open of 1 − ε²: in the errors of the engine, here among the models.
   [[nodiscard]] double doubt() const {
+    if (real_.runs.empty()) return 0.0;  // nothing is known
     const Encounter real = as_it_yields(encounter_);
     const Contact contact = contact_of(real, real_.runs.front().cutoff, speed_in_c(real, speed_));
     return std::min(doubt_of_yield(contact, real_.finest), real_.lost_fraction.error);

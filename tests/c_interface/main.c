@@ -77,6 +77,18 @@ static int oblique(void) {
   return 0;
 }
 
+/* A cradle of three balls: momentum is kept, and the last takes nearly all. */
+static int row(void) {
+  const double speeds[3] = {0.01, 0.0, 0.0};
+  stoss_estimate after[3];
+  REQUIRE(stoss_row("{\"bodies\": [{\"kind\": \"sphere\", \"poisson\": 0.3}, {\"kind\": \"sphere\"}, "
+                    "{\"kind\": \"sphere\"}]}",
+                    speeds, 3, 1e-3, NULL, after) == STOSS_OK);
+  REQUIRE(fabs(after[0].value + after[1].value + after[2].value - 0.01) < 1e-12);
+  REQUIRE(after[0].value < 0.0 && after[2].value > 0.0099 && after[2].error < 1e-5);
+  return 0;
+}
+
 static int interrupted(void) {
   int calls = 0;
   stoss_body* sphere = NULL;
@@ -101,7 +113,7 @@ int main(void) {
   REQUIRE(stoss_sphere_make(0.5, 1.0, 1.0, 1.0, 0.0, &body) == STOSS_INVALID_INPUT);
   REQUIRE(body == NULL && strncmp(stoss_message(), "poisson: got 0.5, allowed ", 26) == 0);
   REQUIRE(stoss_disk_make(0.33, 1.0, 1.0, 1.0, 0.0, NULL) == STOSS_INVALID_INPUT);
-  if (one_speed() != 0 || in_si() != 0 || oblique() != 0 || interrupted() != 0) return 1;
+  if (one_speed() != 0 || in_si() != 0 || oblique() != 0 || row() != 0 || interrupted() != 0) return 1;
   printf("stoss %s in C\n", stoss_version());
   return 0;
 }

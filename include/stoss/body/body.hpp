@@ -120,6 +120,10 @@ struct Body {
   /// 1/ω⁴ for 1/ω². These modes answer forces that vary slowly with W f − V f̈.
   std::function<std::vector<double>(const ContactPoints&, const Poll&)> residual_second_moment;
 
+  /// The same from the points of the opposite face to those of this one, here × there: displacement of a point here
+  /// per force on a point there. Empty for bodies without an opposite face of the same shape.
+  std::function<std::vector<double>(const ContactPoints& here, const ContactPoints& there)> opposite_compliance{};
+
   /// Makes the near side of the body, a part of size 0 < `size` ≤ 1, in the units of the whole; of a half-space, one
   /// for contacts of duration `size`. Empty for bodies that have none, or are one.
   std::function<Body(double size, double cutoff, const Poll& poll)> near_side{};
@@ -213,6 +217,10 @@ inline constexpr double strain_of_contact = 0.47;
 
 /// Number of kept modes.
 [[nodiscard]] std::size_t mode_count(const Body& body);
+
+/// What a mode moves the opposite face by, towards what meets it there, over this one: 1 or −1, of a body with an
+/// `opposite_compliance`.
+[[nodiscard]] double opposite_share(const Body& body, const ModeGroup& group, std::size_t index);
 
 /// Mass of the body, whatever part of it is there.
 [[nodiscard]] double whole_mass(const Body& body);

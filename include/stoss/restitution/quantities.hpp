@@ -2,6 +2,7 @@
 
 #include "stoss/quantity.hpp"
 #include "stoss/restitution/oblique.hpp"
+#include "stoss/restitution/pulse.hpp"
 #include "stoss/restitution/restitution.hpp"
 
 namespace stoss {
@@ -11,6 +12,16 @@ namespace stoss {
 
 /// Quantities of one impact on the way to it.
 [[nodiscard]] const Quantities<Run>& run_quantities();
+
+/// Quantities of a pulse of force.
+[[nodiscard]] const Quantities<Pulse>& pulse_quantities();
+
+/// The force at an instant of a pulse.
+struct PulseInstant {
+  double time = 0.0;
+  Estimate force;
+};
+[[nodiscard]] const Quantities<PulseInstant>& pulse_instant_quantities();
 
 /// Quantities of an oblique collision rule; of its finest impact as above.
 [[nodiscard]] const Quantities<ObliqueRestitution>& oblique_quantities();

@@ -17,7 +17,7 @@ using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 
 namespace dense = numeric::dense;
 
-constexpr double mass = std::numbers::pi;
+constexpr double mass = ResidualShape::mass;
 
 /// An entry of the matrix, between two angles.
 double entry(const PairSums& table, double cosine_i, double sine_i, double cosine_j, double sine_j) {
@@ -104,6 +104,14 @@ std::vector<double> sum_at_mapped_angles(const OrderSum& sum, const ContactPoint
 }
 
 }  // namespace
+
+ResidualShape::Loads::Loads(const ContactPoints& points) {
+  for (std::size_t i = 0; i < points.count; ++i) {
+    angle_.push_back(edge_angle(points, i));
+    cosine_.push_back(std::cos(angle_[i]));
+    sine_.push_back(std::sin(angle_[i]));
+  }
+}
 
 std::vector<double> sum_over_orders(const OrderSum& sum, const ContactPoints& points, const Poll& poll) {
   if (points.count == 0) return {};

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <vector>
 
 #include "bodies/residual.hpp"
@@ -32,6 +35,22 @@ struct ResidualShape {
   static std::vector<double> sum(const OrderSum& sum, const ContactPoints& points, const Poll& poll) {
     return sum_over_orders(sum, points, poll);
   }
+  static constexpr double mass = std::numbers::pi;
+
+  /// c and s of each point.
+  class Loads {
+   public:
+    explicit Loads(const ContactPoints& points);
+    [[nodiscard]] double radial(std::size_t point) const { return std::cos(order_ * angle_[point]) * cosine_[point]; }
+    [[nodiscard]] double tangential(std::size_t point) const {
+      return -std::sin(order_ * angle_[point]) * sine_[point];
+    }
+    void advance() { order_ += 1.0; }
+
+   private:
+    double order_ = 0.0;
+    std::vector<double> angle_, cosine_, sine_;
+  };
 };
 
 using Residual = bodies::Residual<ResidualShape>;

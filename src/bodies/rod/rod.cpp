@@ -82,6 +82,13 @@ Body rod(const Rod& rod, double cutoff) {
   body.residual_second_moment = [second_moment](const ContactPoints&, const Poll&) {
     return std::vector<double>{second_moment};
   };
+  // Σ_{l>L} (−1)^{l+1} 2/(lπ)²: modes move both ends outward in turn.
+  const double sign = static_cast<long>(next) % 2 == 1 ? 1.0 : -1.0;
+  const double opposite =
+      sign * 0.5 / square * (boost::math::trigamma(0.5 * next) - boost::math::trigamma(0.5 * (next + 1.0)));
+  body.opposite_compliance = [opposite](const ContactPoints&, const ContactPoints&) {
+    return std::vector<double>{opposite};
+  };
   return body;
 }
 

@@ -18,7 +18,6 @@ namespace {
 
 using Matrix = numeric::SymmetricProducts::Matrix;
 
-constexpr double sphere_mass = 4.0 * std::numbers::pi / 3.0;
 constexpr int rule_nodes = 24;       // of the quadrature of a sum
 constexpr double rule_phase = 18.0;  // by which its terms may turn to either side of the middle
 constexpr long lowest_start = 64;    // of the quadrature: the expansion of P_ν needs a high degree
@@ -185,13 +184,22 @@ void resolve_each_pair(double softness, const ContactPoints& points, const Eigen
   }
 }
 
+Eigen::ArrayXd ring_angles(const ContactPoints& points) {
+  Eigen::ArrayXd angle(static_cast<Eigen::Index>(points.count));
+  for (std::size_t i = 0; i < points.count; ++i) angle(static_cast<Eigen::Index>(i)) = ring_angle(points, i);
+  return angle;
+}
+
 }  // namespace
+
+// b = sin θ dP_n/dθ = −sin² θ P_n′(cos θ)
+ResidualShape::Loads::Loads(const ContactPoints& points)
+    : cosine_(ring_angles(points).cos()), square_(ring_angles(points).sin().square()), sequence_(ring_angles(points)) {}
 
 std::vector<double> sum_over_degrees(const DegreeSum& sum, const ContactPoints& points, const Poll& poll) {
   const auto rings = static_cast<Eigen::Index>(points.count);
   if (rings == 0) return {};
-  Eigen::ArrayXd angle(rings);
-  for (Eigen::Index i = 0; i < rings; ++i) angle(i) = ring_angle(points, static_cast<std::size_t>(i));
+  const Eigen::ArrayXd angle = ring_angles(points);
   const auto nyquist = std::lround(std::numbers::pi / (points.spacing * points.radius));
   const auto given = static_cast<long>(sum.coefficients.size());
   const Eigen::Index values = (sum.outward ? 2 : 1) * rings;
@@ -215,7 +223,7 @@ std::vector<double> sum_over_degrees(const DegreeSum& sum, const ContactPoints& 
   Eigen::Map<Matrix> matrix(result.data(), values, values);
   matrix = half.triangularView<Eigen::Lower>();
   matrix.triangularView<Eigen::StrictlyUpper>() = half.transpose();
-  matrix /= sphere_mass;
+  matrix /= ResidualShape::mass;
   return result;
 }
 

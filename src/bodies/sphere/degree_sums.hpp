@@ -1,9 +1,13 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <vector>
 
 #include "bodies/residual.hpp"
+#include "bodies/sphere/legendre.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/body/body.hpp"
 #include "stoss/poll.hpp"
@@ -66,6 +70,25 @@ struct ResidualShape {
   static std::vector<double> sum(const OrderSum& sum, const ContactPoints& points, const Poll& poll) {
     return sum_over_degrees({sum}, points, poll);
   }
+  static constexpr double mass = 4.0 * std::numbers::pi / 3.0;
+
+  /// a and −b of each ring.
+  class Loads {
+   public:
+    explicit Loads(const ContactPoints& points);
+    [[nodiscard]] double radial(std::size_t ring) const { return at(cosine_, sequence_.value(), ring); }
+    [[nodiscard]] double tangential(std::size_t ring) const { return at(square_, sequence_.slope(), ring); }
+    void advance() { sequence_.advance(); }
+
+   private:
+    static double at(const Eigen::ArrayXd& one, const Eigen::ArrayXd& other, std::size_t ring) {
+      const auto i = static_cast<Eigen::Index>(ring);
+      return one(i) * other(i);
+    }
+
+    Eigen::ArrayXd cosine_, square_;  // cos θ, sin² θ
+    LegendreSequence sequence_;
+  };
 };
 
 using Residual = bodies::Residual<ResidualShape>;

@@ -13,6 +13,12 @@
 #include "stoss/errors.hpp"
 
 namespace stoss {
+
+Creep creep_of(const Body& body, double unit) {
+  if (body.loss_time > 0.0) return kelvin_voigt_creep(body.loss_time * unit);
+  return creep(Rates(in_time(body.relaxation, unit)));
+}
+
 namespace {
 
 std::vector<double> times(double scale, std::vector<double> values) {
@@ -27,12 +33,6 @@ void turn_around(std::size_t points, std::size_t values, std::vector<double>& ma
       if ((i < points) != (j < points)) matrix[i * values + j] = -matrix[i * values + j];
     }
   }
-}
-
-/// @param unit of time of the body, R/c of the first
-Creep creep_of(const Body& body, double unit) {
-  if (body.loss_time > 0.0) return kelvin_voigt_creep(body.loss_time * unit);
-  return creep(Rates(in_time(body.relaxation, unit)));
 }
 
 ResidualPart first_part(const Contact& contact, const ContactGrid& grid, const Poll& poll) {

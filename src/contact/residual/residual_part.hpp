@@ -32,6 +32,9 @@ using Residual = std::function<std::vector<double>(const ContactPoints&, const P
 [[nodiscard]] std::vector<double> residual_of(const Contact& contact, const ContactGrid& grid, int number,
                                               Residual residual, const Poll& poll);
 
+/// How the material of a body creeps. @param unit of time of the body, in which it is
+[[nodiscard]] Creep creep_of(const Body& body, double unit);
+
 /// The parts that yield to one force, in series: all bodies together while they lose nothing, else each body, as each
 /// has a loss time, and a part of what the materials take; a rigid one has no part.
 [[nodiscard]] std::vector<ResidualPart> residual_parts(const Contact& contact, const ContactGrid& grid,

@@ -1,0 +1,70 @@
+"""stoss pulse: the force of one impact in time."""
+
+import csv
+import io
+import json
+
+import pytest
+
+BALL = "pulse --body sphere --poisson 0.3 --speed 0.01"
+STEEL = "pulse --body sphere --material 'bearing steel' --radius 0.003 --against half-space,material=glass"
+
+
+def record(stoss, words):
+    result = stoss.run(words, "--format json")
+    assert result.returncode == 0, result.stderr
+    document = json.loads(result.stdout)
+    assert document["schema"] == "stoss/pulse/2" and document["complete"]
+    return document["records"][0]
+
+
+def test_a_record_has_numbers_with_errors_and_the_series_behind(stoss):
+    made = record(stoss, BALL)
+    for name in ("peak_force", "contact_time", "impulse", "rise", "corner_frequency", "first_null"):
+        assert 0.0 < made[f"{name}_error"] < 0.05 * made[name]
+    assert made["impulse"] == pytest.approx(0.01 * (1 + made["restitution"]), rel=1e-5)
+    assert len(made["time"]) == len(made["force"]) == len(made["force_error"]) == len(made["amplitude"]) == 400
+    assert max(made["force"]) == pytest.approx(made["peak_force"], rel=0.01)
+    assert max(made["force_error"]) < 0.02 * made["peak_force"]
+    assert made["amplitude"][0] == pytest.approx(1.0, abs=1e-6)
+
+
+def test_with_a_material_the_series_is_in_si(stoss):
+    made = record(stoss, f"{STEEL} --height 0.2 --points 1000")
+    assert made["series_units"] == {"time": "s", "force": "N", "force_error": "N", "frequency": "rad/s", "amplitude": "",
+                                    "amplitude_error": ""}  # fmt: skip
+    assert max(made["force"]) == pytest.approx(made["peak_force_si"], rel=0.01)
+    area = sum(made["force"]) * (made["time"][1] - made["time"][0])
+    assert area == pytest.approx(made["impulse_si"], rel=1e-3)
+    mass = 4.0 / 3.0 * 3.141592653589793 * 0.003**3 * 7800
+    assert made["impulse_si"] == pytest.approx(mass * made["speed_si"] * (1 + made["restitution"]), rel=0.02)
+
+
+def test_csv_is_the_force_in_time(stoss):
+    text = stoss.run(f"{STEEL} --speed 1 --format csv").stdout
+    rows = list(csv.DictReader(line for line in io.StringIO(text) if not line.startswith("#")))
+    assert list(rows[0]) == ["time[R/c]", "force[mc^2/R]", "force_error[mc^2/R]", "time_si[s]", "force_si[N]",
+                             "force_si_error[N]"]  # fmt: skip
+    assert len(rows) == 400 and float(rows[200]["force_si[N]"]) > 10
+
+
+def test_a_threshold_shortens_the_duration(stoss):
+    low, high = (record(stoss, f"{BALL} --threshold {share}") for share in (0.01, 0.5))
+    assert high["duration"] < 0.7 * low["duration"] < 0.7 * low["contact_time"]
+
+
+@pytest.mark.parametrize("words, line", {
+    "--tolerance 0": "tolerance: got 0, allowed 1e-5 to 0.5",
+    "--threshold 1": "threshold: got 1, allowed 0 to 0.9",
+    "--points 3": "points: got 3, allowed 16 to 100000",
+    "--height 1": "height",
+}.items())  # fmt: skip
+def test_refuses_in_one_line(stoss, words, line):
+    result = stoss.run(f"{BALL} {words}")
+    assert result.returncode in (2, 3) and len(result.stderr.splitlines()) == 1 and line in result.stderr
+
+
+def test_what_misses_the_tolerance_is_written_and_said(stoss):
+    result = stoss.run("pulse --body disk --poisson 0.3 --speed 0.1 --tolerance 1e-3 --format json")
+    made = json.loads(result.stdout)["records"][0]
+    assert result.returncode == 1 and "not as accurate as asked for" in result.stderr and not made["converged"]
