@@ -71,7 +71,7 @@ std::map<std::string, std::string> units(const std::string& of, bool si) {
   std::map<std::string, std::string> names;
   using enum Dimension;
   const UnitSystem system = si ? kind(of).si : kind(of).own;
-  for (const Dimension each : {none, length, inverse_length, time, speed, frequency, force, energy}) {
+  for (const Dimension each : {none, length, inverse_length, time, speed, frequency, force, energy, momentum}) {
     names.emplace(dimension_name(each), unit_name(each, system));
   }
   return names;

@@ -10,6 +10,7 @@
 #include "stoss/prediction/quantities.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/quantities.hpp"
+#include "stoss/row/quantities.hpp"
 #include "stoss/version.hpp"
 #include "stoss/vibration/bounce.hpp"
 #include "stoss/vibration/quantities.hpp"
@@ -79,6 +80,9 @@ py::dict quantities() {
   all["oblique"] = listed(oblique_quantities());
   all["prediction"] = listed(prediction_quantities());
   all["bounce"] = listed(bounce_quantities());
+  all["row"] = listed(row_quantities());
+  all["row body"] = listed(row_body_quantities());
+  all["row contact"] = listed(row_contact_quantities());
   all["sample"] = listed(sample_quantities());
   all["mode"] = listed(bodies::disk::mode_quantities());
   all["sphere mode"] = listed(bodies::sphere::mode_quantities());
@@ -104,6 +108,7 @@ PYBIND11_MODULE(_core, module) {
   stoss::python::bind_oblique_impacts(module);
   stoss::python::bind_prediction(module);
   stoss::python::bind_tables(module);
+  stoss::python::bind_row(module);
   stoss::python::bind_rules(module);
   stoss::python::bind_quasistatic(module);
 }

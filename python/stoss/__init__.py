@@ -34,6 +34,7 @@ written.
 `bounce`                          a body that comes back to a wall with the vibration it has kept
 `modes`                           the eigenmodes of a disk or a sphere
 `rod_chain`                       rods on a ring that remember their collisions
+`row`, `row_impact`               bodies on a line, as in a cradle: velocities after, motion in time
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
 `Disk`, `Sphere`, `Rod`           bodies
 `ModalBody`                       any body by its modes at a point, from a file
@@ -84,6 +85,8 @@ from stoss.results._pair_table import PairTable, pair_table
 from stoss.results._prediction import Influence, Prediction, predict
 from stoss.results._result import Result
 from stoss.results._rod_chain import RodChain, rod_chain
+from stoss.rows._row import Row, row
+from stoss.rows._row_impact import RowImpact, row_impact
 from stoss.results._rule import CollisionRule
 from stoss.results._sound import Sound
 from stoss.sweeps._grid import Grid
@@ -96,12 +99,13 @@ __all__ = [
     "Influence", "Interrupted", "InvalidInput", "Layer", "Material", "Misfit", "ModalBody", "Modes", "NotConverged",
     "ObliqueImpact", "ObliqueLedger", "ObliqueRestitution", "ObliqueTrajectory", "Oscillation",
     "PairTable", "Plate", "Prediction", "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod",
-    "RodChain", "Scales", "Sound", "Sphere", "SphereField", "StossWarning", "Strip", "Sweep", "Table", "Trajectory",
-    "Wall", "Wave",
+    "RodChain", "Row", "RowImpact", "Scales", "Sound", "Sphere", "SphereField", "StossWarning", "Strip", "Sweep", "Table",
+    "Trajectory", "Wall", "Wave",
     "__version__", "animate", "atlas", "bounce", "collision_rule",
     "fit", "impact", "materials", "merge", "modes", "oblique", "oblique_impact", "open_sweep",
     "pair_table", "plot", "predict", "quasistatic", "read_csv", "relaxation_of_measurement", "restitution",
-    "restitution_distribution", "restitution_function", "rod_chain", "shifted", "sweep", "with_error",
+    "restitution_distribution", "restitution_function", "rod_chain", "row", "row_impact", "shifted", "sweep",
+    "with_error",
 ]  # fmt: skip
 
 

@@ -83,6 +83,7 @@ TYPES = {
     "ArrayLike": "array_like",
     "Body": "Disk | Sphere | Rod | ModalBody",
     "Unbounded": "HalfSpace | HalfPlane | Plate | Strip",
+    "Standing": "HardWall | HalfSpace | HalfPlane | Plate | Strip",
     "Against": "HardWall | ExponentialWall | Disk | Sphere | Rod | ModalBody | HalfSpace | HalfPlane | Plate | Strip",
     "State": "Oscillation | sequence of them | ndarray",
     "os.PathLike[str]": "path",

@@ -57,7 +57,7 @@ class NotConverged(RuntimeError):
     """A computation that could not meet its own conditions.
 
     Attributes:
-        best (Restitution, Bounces, RodChain or None): The best value that was reached, or the
+        best (Restitution, Bounces, RodChain, Row or None): The best value that was reached, or the
             impacts or collisions so far, if there are any.
         input (str): The argument of which another value may help, as in "step", or "".
         hint (str): How it may help, or "".
@@ -69,10 +69,10 @@ class NotConverged(RuntimeError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C during a curve, a distribution, a sequence or a chain.
+    """Ctrl-C during a curve, a distribution, a sequence, a chain or several rows.
 
     Attributes:
-        best (Restitution, RestitutionDistribution, Bounces or RodChain): The curve so far, where
+        best (Restitution, RestitutionDistribution, Bounces, RodChain or Row): The curve so far, where
             what is missing is NaN and not converged; the samples, the impacts or the collisions so
             far.
     """

@@ -149,6 +149,14 @@ RESULTS = {
     "sweep-si": (lambda: swept([STEEL_BALL, stoss.Sphere(radius=0.01, material=stoss.materials["glass"])], [0.5, 1.0]),
      None),
     "chain": (lambda: stoss.rod_chain([ROD, ROD], circumference=9, velocities=[0.1, 0], collisions=9), None),
+    "row": (lambda: stoss.row([BALL] * 3, speed=[0.1], tolerance=1e-2), None),
+    "rows": (lambda: stoss.row([stoss.Disk(poisson=0.33)] * 3, speed=[[0.02], [0.1]], before="wall", tolerance=1e-2),
+     None),
+    "row motion": (
+        lambda: stoss.row_impact([BALL] * 2, speed=[1.0], against="wall", gaps=[0, 1e-5], cutoff=8, every=20), None),
+    "row of rods": (lambda: stoss.row_impact([stoss.Rod(), stoss.Rod(length=2)], speed=[0.1], cutoff=8), None),
+    "row ringing": (
+        lambda: stoss.row([stoss.Sphere(poisson=0.3)] * 2, speed=[0.1], vibration=RINGS, tolerance=1e-2), None),
     "fit": (lambda: stoss.fit(BALL, law="linear", speed=(1, 9)), None),
 }  # fmt: skip
 

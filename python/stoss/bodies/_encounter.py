@@ -220,13 +220,13 @@ def drop_encounter(body: Body, against: Against | str) -> _core.Encounter:
     """Both in SI, and materials by the names that they have: the core knows how well constants of these are known."""
     met: Any = against if isinstance(against, str) else None
     if isinstance(against, PARTNERS):
-        met = _named(against)
+        met = named(against)
     elif met is None:
         met = against._document()  # type: ignore[union-attr]
-    return _encounter(json.dumps({"first": _named(body), "against": met}))
+    return _encounter(json.dumps({"first": named(body), "against": met}))
 
 
-def _named(solid: Solid) -> Specification:
+def named(solid: Solid) -> Specification:
     """What describes it, without the losses that its material has: those of a named one the core knows."""
     words = describe(solid)
     if solid.material is None or "material" not in words:  # without a material, of layers or of a file

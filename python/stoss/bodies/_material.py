@@ -61,6 +61,11 @@ class Scales(NamedTuple):
     frequency: float
     force: float
 
+    @property
+    def momentum(self) -> float:
+        """Force times time, N s."""
+        return self.force * self.time
+
 
 @dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
 class Material:

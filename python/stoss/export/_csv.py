@@ -21,11 +21,12 @@ from stoss.export._tables import UNKNOWN, with_error
 
 AXES = {"restitution": "speed", "function": "speed", "quasistatic": "speed", "slow impact": "speed",
         "rayleigh": "speed", "modes": "mode", "trajectory": "time", "bounce": "number", "rod_chain": "time",
-        "distribution": "sample", "atlas": "speed", "predict": "speed"}  # fmt: skip
+        "distribution": "sample", "atlas": "speed", "predict": "speed", "row": "number",
+        "row_impact": "time"}  # fmt: skip
 """What the rows of a kind of file run along."""
 
 WHOLE = frozenset(
-    "order index modes runs steps contacts nodes sample number collisions of cutoff_level impacts pair touching".split()
+    "order index modes runs steps contacts nodes sample number collisions of cutoff_level impacts pair touching case".split()
 )
 """Columns of integers, where all others have numbers with a fraction."""
 

@@ -24,6 +24,8 @@ def known(name: str, value: Any) -> Any:
 
 def plain(value: Any) -> Any:
     """Convert to types that json and pickle of any Python know."""
+    if isinstance(value, np.ndarray) and value.dtype.names and value.ndim > 1:
+        return [plain(each) for each in value]
     if isinstance(value, np.ndarray):
         return [dict(zip(value.dtype.names, row)) for row in value.tolist()] if value.dtype.names else value.tolist()
     if isinstance(value, np.generic):

@@ -23,7 +23,8 @@ column; in your own Axes the text follows your settings. Nothing global is chang
 `disk`, `sphere`, `sequence`, `stress`            the deformed disk or sphere at the wall, or two
 `wave`                                            what runs away in a half-space or a plate
 `cooling`, `restitution_histogram`                a chain of rods: energies in time, and its ε
-`animate`                                         the same as GIF or MP4
+`row`, `row_impact`                               bodies on a line: velocities; forces in space and time
+`animate`                                         impacts and rows as GIF or MP4
 ================================================  ==================================================
 
 Examples:
@@ -52,6 +53,7 @@ from stoss.plot._prediction import prediction
 from stoss.plot._relaxation import master_curve
 from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
 from stoss.plot._restitution import restitution
+from stoss.plot._row import row, row_impact
 from stoss.plot._sequence import sequence, wave
 from stoss.plot._stress import stress
 from stoss.plot._style import PICTURES as PICTURES
@@ -59,6 +61,6 @@ from stoss.plot._style import PICTURES as PICTURES
 __all__ = [
     "animate", "bounces", "cooling", "disk", "distribution", "energies", "force",
     "function", "grip", "half_width", "ledger", "master_curve", "mode_shape", "oblique", "oblique_impact",
-    "oblique_ledger", "pair_table", "prediction", "rayleigh", "restitution", "restitution_histogram", "sequence",
-    "slow_impact", "spectrum", "sphere", "static_contact", "stress", "velocity", "wave",
+    "oblique_ledger", "pair_table", "prediction", "rayleigh", "restitution", "restitution_histogram", "row", "row_impact",
+    "sequence", "slow_impact", "spectrum", "sphere", "static_contact", "stress", "velocity", "wave",
 ]  # fmt: skip

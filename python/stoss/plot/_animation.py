@@ -21,9 +21,10 @@ from numpy.typing import NDArray
 from stoss._arguments import instance, integer, number, refusal, require_memory
 from stoss._documentation import documented
 from stoss.export._files import whole_file
-from stoss.plot import _disk, _ground, _oblique_film, _sequence, _stress, _style
+from stoss.plot import _disk, _ground, _oblique_film, _row_film, _sequence, _stress, _style
 from stoss.results._impact import Impact
 from stoss.results._oblique_impact import ObliqueImpact
+from stoss.rows._row_impact import RowImpact
 
 DPI = 100
 SUFFIXES = (".gif", ".mp4")
@@ -31,7 +32,7 @@ SUFFIXES = (".gif", ".mp4")
 
 @documented
 def animate(
-    impact: Impact | ObliqueImpact,
+    impact: Impact | ObliqueImpact | RowImpact,
     path: str | os.PathLike[str],
     *,
     frames: int = 60,
@@ -50,14 +51,18 @@ def animate(
     traction on the first body, with its friction over μ, so that they are inclined by 45 degrees
     where points slip; black points stick, orange ones slip along +y and blue ones along −y.
 
+    A row of bodies is drawn with its displacements magnified, by the factor that the title says. Red
+    marks between bodies are as high as the forces there, and arrows are velocities.
+
     Parameters:
-        impact (Impact or ObliqueImpact): The impact of a disk or a sphere.
+        impact (Impact, ObliqueImpact or RowImpact): The impact of a disk or a sphere, or a row.
         path: Where to; an existing file is replaced. Its suffix, .gif or .mp4, says what is
             written; the latter needs ffmpeg.
         frames: Number of frames, 2 to 2000.
         fps: Frames per second, 1 to 50. A GIF counts time in 1/100 s.
         size: Width and height, 100 to 4000 pixels; those of an MP4 are made
-            even. Default: 400 wide, with colours 480; of an oblique impact 640 x 380.
+            even. Default: 400 wide, with colours 480; of an oblique impact 640 x 380, of a
+            row 640 wide.
         quantity ({'von_mises', 'principal_difference', 'fringes'}, optional): Colours, on one scale
             for all frames (see `stoss.plot.stress`); default: a grid of radii and circles.
         fringe: As in `stoss.plot.stress`.
@@ -70,7 +75,7 @@ def animate(
         >>> stoss.animate(slip, "slip.gif", frames=10)
         'slip.gif'
     """
-    instance("impact", impact, (Impact, ObliqueImpact))
+    instance("impact", impact, (Impact, ObliqueImpact, RowImpact))
     suffix = _suffix(path)
     count, rate = _style.count("frames", frames, 2000, low=2), number("fps", fps)
     if not 1.0 <= rate <= 50.0:
@@ -80,8 +85,9 @@ def animate(
         got = f"{count} of {pixels[0]} x {pixels[1]} pixels"
         require_memory("frames", got, float(count * pixels[0] * pixels[1]), "give fewer, a smaller size, or an .mp4")
     if quantity is not None:
-        if isinstance(impact, ObliqueImpact):
-            raise refusal("quantity", quantity, "None for an oblique impact (which has no field)")
+        if isinstance(impact, (ObliqueImpact, RowImpact)):
+            what = "an oblique impact" if isinstance(impact, ObliqueImpact) else "a row"
+            raise refusal("quantity", quantity, f"None for {what} (which has no field)")
         _style.choice("quantity", quantity, _stress.QUANTITIES)
     if suffix == ".mp4" and not FFMpegWriter.isAvailable():
         hint = "install it, or give a path that ends in .gif"
@@ -90,6 +96,8 @@ def animate(
     with whole_file(os.fspath(path), suffix) as temporary, rc_context(_style.PRINT | {"figure.dpi": DPI}):
         if isinstance(impact, ObliqueImpact):
             film = _oblique(impact, count, pixels)
+        elif isinstance(impact, RowImpact):
+            film = _row(impact, count, pixels)
         else:
             film = _central(impact, count, pixels, quantity, fringe)
         shape = film.size
@@ -100,6 +108,10 @@ def animate(
         else:
             _write_mp4(film.pictures(shape), rate, shape, temporary)
     return path
+
+
+# The method of a result.
+_style.PICTURES[RowImpact, "animate"] = lambda result, write: write(result, animate)
 
 
 class _Film(NamedTuple):
@@ -128,6 +140,12 @@ def _central(
 def _oblique(impact: ObliqueImpact, count: int, pixels: tuple[int, int] | None) -> _Film:
     ramps = [_ramp(color, 24) for color in (*_oblique_film.COLORS, _style.VERMILION) if color.startswith("#")]
     return _Film(pixels or _oblique_film.SIZE, lambda shape: _oblique_film.pictures(impact, count, shape, DPI), ramps)
+
+
+def _row(impact: RowImpact, count: int, pixels: tuple[int, int] | None) -> _Film:
+    ramps = [_ramp(color, 24) for color in _row_film.COLORS]
+    size = pixels or _row_film.default_size(impact, count)
+    return _Film(size, lambda shape: _row_film.pictures(impact, count, shape, DPI), ramps)
 
 
 def _ramp(color: str, levels: int) -> NDArray[np.float64]:

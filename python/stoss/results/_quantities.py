@@ -112,6 +112,7 @@ CLASSES: Mapping[str, Made] = {
     "PredictionQuantities": Made("prediction", "many", in_si=False, renamed={"yield": "yielding"}),
     "RayleighQuantities": Made("point rayleigh", "many", optional=("mean_lost_fraction", "max_radius")),
     "RestitutionQuantities": Made("restitution", "many"),
+    "RowQuantities": Made("row", "many"),
     "SampleQuantities": Made("sample", "column"),
     "SlowImpactQuantities": Made("point slow impact", "many", optional=("max_radius",)),
     "SnapshotQuantities": Made("snapshot", "column"),

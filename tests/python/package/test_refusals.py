@@ -40,6 +40,8 @@ CALLS = {
     "modes": (stoss.modes, {"poisson": 0.33, "cutoff": 6}),
     "atlas": (stoss.atlas, {"body": BALL, **ONE}),
     "chain": (stoss.rod_chain, {"rods": RODS, "circumference": 9, "temperature": 1, "collisions": 9}),
+    "row": (stoss.row, {"bodies": [BALL] * 2, **ONE, "tolerance": 0.1}),
+    "row impact": (stoss.row_impact, {"bodies": [BALL] * 2, **ONE, "cutoff": 6}),
     "trajectory": (HIT.trajectory, {}),
     "oblique trajectory": (SLIP.trajectory, {}),
     "field": (HIT.field, {"time": 1, "radius": [0.5, 1], "angle": [0, 1]}),
@@ -93,6 +95,8 @@ RANGES = {
     "rods": [stoss.Rod(), [], [stoss.Rod()], [BALL] * 3], "friction": [-1, 6], "spin": [2], "second_spin": [0.1],
     "angle": [90], ("value", "speed"): [0.0, 0.31], ("value of pairs", "speed"): [0.3], ("value of pairs",
      "ratio"): [2.5, -1],
+    "until": [0, -1], "gaps": [-1, 1001, [0, 0], [[0]]], "before": ["same", BALL],
+    "bodies": [[], BALL, [BALL], [BALL, 1]],
     "keep": [True, [], [0, 1], "all", [[True]]], ("field", "angle"): [[]], ("predict", "speed"): [0, 1e9],
      ("displacement", "radius"): [-0.1, 1.1], ("oscillation", "of"): [],
     ("wave", "depth"): [[], -1.0], "spectrum": [3.0, lambda _: nan, lambda _: "x"],
@@ -102,7 +106,7 @@ WHOLE = {"threads", "nodes", "every", "order", "index", "of", "samples", "seed",
  "rate"}
 SINGLE = {"cutoff", "tolerance", "absolute", "step", "half_width", "error", "strength", "hardness", "temperature",
  "flight_time",
-          "gravity", "adhesion", "highest", "circumference", "flight"}  # fmt: skip
+          "gravity", "adhesion", "highest", "circumference", "flight", "until"}  # fmt: skip
 CHOICES = {"young_is", "tail", "beyond", "law", "program", "method", "contact"}
 NOT_NUMBERS = {"body": BODIES, "against": [*BODIES, stoss.Rod, HIT], "progress": FLAGS, "state": [0.1, "ringing",
  [None]]}
@@ -115,7 +119,7 @@ IN_PLACE_OF = {"poisson": "body", "body": "poisson", "height": "speed", "gravity
                "velocities": "temperature", "angle": "tangential"}  # fmt: skip
 LIMITS = {(question, name): limits for question, name, *limits in stoss._core.inputs()}
 QUESTIONS = {"oblique impact": ("oblique", "impact"), "function": ("table",), "pair table": ("table",),
- "rule": ("table",)}
+ "rule": ("table",), "row impact": ("row",)}
 
 
 def beyond(name, low, high, low_included, high_included):

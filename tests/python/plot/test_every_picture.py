@@ -61,6 +61,8 @@ PICTURES = {
      "ν = 0.2", "ν = 0.33")),
     "restitution_histogram": (lambda: computed("chain"), {}, ("coefficient of restitution ε", "probability density",
      "mean")),
+    "row": (lambda: computed("row"), {}, ("velocity / (m/s)", "body", "before", "after")),
+    "row_impact": (lambda: computed("row motion"), {}, ("velocity / c", "body", "time t / (R/c)", "body 0")),
     "sequence": (lambda: stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5), {"count": 3}, ("t = −0.80 R/c", "3.97",
      "8.74")),
     "slow_impact": (lambda: computed("slow impacts"), {}, ("speed v / c", "contact time τ / (R/c)")),
@@ -134,7 +136,7 @@ def test_methods_draw_the_same():
     for name in ("bounce", "chain", "distribution", "function", "modes", "pair table", "curve", "static contact",
      "slow impacts",
                  "trajectory of a disk", "oblique trajectory", "oblique impact", "impact", "predict-block",
-                  "rayleigh-ball"):  # fmt: skip
+                  "rayleigh-ball", "row", "rows", "row motion"):  # fmt: skip
         figure, ax = pyplot.subplots()
         assert computed(name).plot(ax) is ax and any(words(figure)), name
     computed("empty").plot().figure.canvas.draw()

@@ -25,10 +25,11 @@ WAITING = {
     "predict": ("_prediction", lambda **more: stoss.predict(GLASS, speed=0.01, tolerance=0.1, **more)),
     "restitution_function": ("_function", lambda **more: stoss.restitution_function(
         BALL, speed=(0.1, 0.11), error=0.05, **more)),
+    "row_impact": ("stoss.rows._row_impact", lambda **more: stoss.row_impact([BALL] * 2, speed=[0.1], cutoff=6, **more)),
     "rod_chain": ("_rod_chain", lambda **more: stoss.rod_chain(
         RODS, circumference=20, velocities=[1e-3, 0], collisions=1, **more)),
 }  # fmt: skip
-COUNTING = {"fit", "oblique", "restitution", "restitution_distribution", "sweep"}
+COUNTING = {"fit", "oblique", "restitution", "restitution_distribution", "row", "sweep"}
 AT_ONCE = {"atlas", "merge", "modes", "open_sweep", "read_csv", "relaxation_of_measurement", "shifted", "with_error"}
 """Calls that look up, read or write: less than 5 s."""
 
@@ -53,7 +54,7 @@ def test_calls_that_cannot_count_say_for_how_long_they_go_on(name, monkeypatch):
         told.append("done")
 
     module, call = WAITING[name]
-    monkeypatch.setattr(importlib.import_module(f"stoss.results.{module}"), "waiting", waiting)
+    monkeypatch.setattr(importlib.import_module(module if "." in module else f"stoss.results.{module}"), "waiting", waiting)
     call(), call(progress=True)
     assert told == [(False, name), "done", (True, name), "done"]
     with pytest.raises(stoss.InvalidInput, match="^progress: got 1, allowed True or False"):
