@@ -9,3 +9,4 @@ out=../build/web
 [ "$what" = build ] || out=../build/native/web
 cd web
 npx vite build --logLevel warn --outDir $out --emptyOutDir
+npx vite build --logLevel warn --outDir $out --mode cradle

@@ -10,13 +10,17 @@ const read = (file: string | URL) => JSON.parse(readFileSync(file, 'utf8')) as R
 const words = { ...read(new URL('words.json', import.meta.url)), ...(process.env.STOSS_WORDS ? read(process.env.STOSS_WORDS) : {}) };
 
 // The page is served from any folder: all addresses are relative. STOSS_DOCUMENTATION is the address of the manual,
-// which may be relative too; without it the page has no link to one.
-export default defineConfig({
+// which may be relative too; without it the page has no link to one. The mode `cradle` builds the page of the cradle
+// beside the first one, which by itself has less to load. Of words, those of `how` stand in index.html only.
+export default defineConfig(({ mode }) => ({
   define: { STOSS_VERSION: JSON.stringify(version) },
   base: './',
-  plugins: [equations(process.env.STOSS_DOCUMENTATION ?? '', words)],
-  build: { outDir: '../build/web', emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0 },
+  plugins: [equations(process.env.STOSS_DOCUMENTATION ?? '', words, mode === 'production' ? ['how', 'cradle'] : ['how'])],
+  build: {
+    outDir: '../build/web', emptyOutDir: mode !== 'cradle', target: 'es2022', assetsInlineLimit: 0,
+    rollupOptions: { input: mode === 'cradle' ? 'cradle.html' : 'index.html' },
+  },
   worker: { format: 'es' },
   server: { host: '127.0.0.1' }, // a machine without a hosts file knows no localhost
   test: { include: ['tests/{core,unit,native,page,smoke}/**/*.test.ts'], setupFiles: ['tests/setup.ts'] },
-});
+}));

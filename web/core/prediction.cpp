@@ -4,6 +4,7 @@
 
 #include "results.hpp"
 #include "stoss/encounter/document.hpp"
+#include "stoss/errors.hpp"
 #include "stoss/prediction/prediction.hpp"
 #include "stoss/prediction/quantities.hpp"
 
@@ -31,7 +32,7 @@ val answer(const Prediction& of) {
                  {"warnings", list(of.warnings, [](const std::string& line) { return val(line); })}});
 }
 
-/// ε with all channels at many speeds in m/s, one by one.
+/// ε with all channels at many speeds in m/s, one by one; of several, without those at which a law is not known.
 val prediction(const Question& asked) {
   const auto meeting = asked.meeting();
   const std::vector<double> speeds = numbers(asked.given["speeds"]);
@@ -41,7 +42,11 @@ val prediction(const Question& asked) {
                               .threads = 1,
                               .poll = say_alive};
   for (std::size_t i = 0; i < speeds.size(); ++i) {
-    asked.deliver(answer(predict(meeting->encounter, {speeds[i]}, how).front()), i);
+    try {
+      asked.deliver(answer(predict(meeting->encounter, {speeds[i]}, how).front()), i);
+    } catch (const InvalidInput& error) {
+      if (speeds.size() == 1 || error.name() != "speed") throw;
+    }
   }
   return val::undefined();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -29,12 +30,17 @@ void put(emscripten::val& all, const std::string& name, const Quantity<Result>& 
 
 /// Adds what is a number, by the names of the command: with a material in units of the first body and in SI.
 template <typename Result>
-void add(emscripten::val& all, const Meeting& meeting, const Quantities<Result>& quantities, const Result& result) {
+void add(emscripten::val& all, const Encounter& encounter, const std::optional<Scales>& si,
+         const Quantities<Result>& quantities, const Result& result) {
   for (const auto& each : quantities) {
-    put(all, each.name, each, result, kind(meeting.encounter.first.kind).own);
-    if (!meeting.si || each.dimension == Dimension::none || each.name == "cutoff") continue;
-    put(all, each.name + "_si", each, result, unit_system(meeting.encounter), meeting.unit(each.dimension));
+    put(all, each.name, each, result, kind(encounter.first.kind).own);
+    if (!si || each.dimension == Dimension::none || each.name == "cutoff") continue;
+    put(all, each.name + "_si", each, result, unit_system(encounter), unit_in_si(each.dimension, *si));
   }
+}
+template <typename Result>
+void add(emscripten::val& all, const Meeting& meeting, const Quantities<Result>& quantities, const Result& result) {
+  add(all, meeting.encounter, meeting.si, quantities, result);
 }
 
 /// Restitution of the protocol. @param speed as the page gave it @param finest impact of the result

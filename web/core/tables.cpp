@@ -11,6 +11,7 @@
 #include "stoss/impact/quantities.hpp"
 #include "stoss/prediction/quantities.hpp"
 #include "stoss/restitution/quantities.hpp"
+#include "stoss/row/quantities.hpp"
 
 namespace stoss {
 
@@ -89,6 +90,7 @@ val quantities(const Question&) {
   const auto add = [&](const auto& table) {
     for (const auto& each : table) all[each.name] = each.help;
   };
+  add(row_quantities()), add(row_body_quantities()), add(row_contact_quantities());
   add(restitution_quantities()), add(oblique_quantities()), add(prediction_quantities());
   add(impact_quantities()), add(oblique_ledger_quantities());
   return val(all.dump());

@@ -210,3 +210,25 @@ export interface Thresholds {
   /** it sticks below; 0: never */
   sticking: number;
 }
+
+/** One collision of all bodies of a row: what `stoss row --format json` prints, by the same names. */
+export interface RowCollision {
+  readonly quantities: Numbers;
+  /** from left to right: `velocity`, and `velocity_after` with its error */
+  readonly bodies: readonly Numbers[];
+  /** from left to right: when, how often and how hard */
+  readonly contacts: readonly Numbers[];
+  readonly converged: boolean;
+  /** why not converged; '' */
+  readonly reason: string;
+  /** of the finest motion, c/R of the first body */
+  readonly cutoff: number;
+  readonly beyondSmallStrain: boolean;
+  readonly materialWarnings: readonly string[];
+}
+
+/** The next collision of pendulums. */
+export interface RowReturn extends RowCollision {
+  /** energy of the vibration that is left then, over that of the centres before the first collision */
+  readonly left: number;
+}

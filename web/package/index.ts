@@ -7,7 +7,7 @@ export type { Against, Encounter, First, Material, ModalBody } from './generated
 export type { Quantities } from './generated/quantities.js';
 export type { NamedMaterial, Options, Stoss } from './methods.js';
 export type * from './answers.js';
-export type { Questions, QuickQuestions } from './questions.js';
+export type { Questions, QuickQuestions, Row, RowQuestions } from './questions.js';
 
 /** Compile the core. @param from where its WebAssembly is; without it, beside this module */
 export async function compile(

@@ -1,7 +1,7 @@
-// What users call: a method for each question about an encounter.
+// What users call: a method for each question about an encounter or a row.
 import { type Ask, type CompiledCore, instantiate } from './core.js';
 import type { Encounter } from './generated/documents.js';
-import type { Questions, QuickQuestions } from './questions.js';
+import type { Questions, QuickQuestions, Row, RowQuestions } from './questions.js';
 
 type All = Questions & QuickQuestions;
 
@@ -28,9 +28,15 @@ export interface NamedMaterial {
   readonly source: string;
 }
 
-/** The core on this thread. An encounter is an object, or its JSON document. Methods compute until they return, and
+/** The same about a row. */
+type RowMethod<Question extends (given: never) => unknown> =
+  (row: Row | string, given: Parameters<Question>[0]) => ReturnType<Question>;
+
+/** The core on this thread. An encounter or a row is an object, or its JSON document. Methods compute until they return, and
  *  throw CoreError with one line for what the core cannot do. */
 export type Stoss = { readonly [Name in keyof All]: Method<All[Name]> } & {
+  readonly [Name in keyof RowQuestions]: RowMethod<RowQuestions[Name]>;
+} & {
   /** as the command has it */
   readonly version: string;
   /** The materials that can be named. */
@@ -41,9 +47,9 @@ export type Stoss = { readonly [Name in keyof All]: Method<All[Name]> } & {
   readonly ask: Ask;
 };
 
-const questions: readonly (keyof All)[] = [
+const questions: readonly (keyof All | keyof RowQuestions)[] = [
   'restitution', 'curve', 'header', 'prediction', 'thresholds', 'oblique', 'obliqueAngles', 'obliqueCollision', 'collision',
-  'frames', 'sound', 'shape', 'units',
+  'frames', 'sound', 'shape', 'units', 'row', 'rowAgain', 'rowPitch', 'rowSound',
 ];
 
 /** How a core is made. */
@@ -61,7 +67,7 @@ export function loader(compile: () => Promise<CompiledCore>) {
 }
 
 function withMethods(ask: Ask): Stoss {
-  const method = (name: keyof All) =>
+  const method = (name: keyof All | keyof RowQuestions) =>
     (encounter: unknown, given: object = {}, each?: (each: unknown, index: number) => void): unknown => {
       const all: unknown[] = [];
       const document = typeof encounter === 'string' ? encounter : JSON.stringify(encounter) ?? '';

@@ -1,7 +1,9 @@
 // What can be asked about an encounter. What is optional has the value of the command where it is left out.
 import type {
-  AnglePoint, Collision, CurvePoint, Frame, Grid, Motion, ObliqueCollision, Prediction, Restitution, Shape, Thresholds, Units,
+  AnglePoint, Collision, CurvePoint, Frame, Grid, Motion, ObliqueCollision, Prediction, Restitution, RowCollision, RowReturn,
+  Shape, Thresholds, Units,
 } from './answers.js';
+import type { Against, First } from './generated/documents.js';
 
 /** Those that take their time. Speeds are in c of the first body, or in m/s if it has a material. */
 export interface Questions {
@@ -41,4 +43,29 @@ export interface QuickQuestions {
   units(): Units;
   /** At what speeds models of real materials begin to matter. */
   thresholds(): Thresholds;
+}
+
+/** Bodies on one line, from left to right: the document of `stoss row --bodies`. */
+export interface Row {
+  readonly bodies: readonly First[];
+  readonly before?: 'wall';
+  readonly after?: Against;
+  /** between neighbours, what stands at an end included; without it all touch */
+  readonly gaps?: readonly number[];
+}
+
+/** What can be asked about a row. Speeds are those of the bodies to the right, in c of the first or in m/s; those that are
+ *  left out rest. */
+export interface RowQuestions {
+  /** The velocities after all contacts, to `tolerance` of the greatest difference of speeds: by default 10⁻³. */
+  row(given: { speeds: readonly number[]; tolerance?: number }): RowCollision;
+  /** The next collision of bodies that hang on strings of one length, without a wall: after `pause`, R/c or s, all come
+   *  back at once, with what is left of their vibration. The cutoff is that of the first collision. */
+  rowAgain(given: { speeds: readonly number[]; cutoff: number; pause: number; tolerance?: number }): RowReturn;
+  /** The lowest frequency of what still vibrates, c/R of the first or rad/s. */
+  rowPitch(given: { speeds: readonly number[]; cutoff: number }): number;
+  /** What is heard of a body after the collision, as `sound` of an impact. */
+  rowSound(given: {
+    speeds: readonly number[]; cutoff: number; body: number; interval: number; count: number; quality: number;
+  }): Float32Array;
 }

@@ -21,17 +21,19 @@ export function withWords(text: string, words: Readonly<Record<string, string>>)
   });
 }
 
-/** The plugin: {{words}}, `%ICON%` and `%DOCUMENTATION%` in index.html, and equations. The icon is in the page, since
+/** The plugin: {{words}}, `%ICON%` and `%DOCUMENTATION%` in index.html and its like, and equations. The icon is in the page, since
  *  browsers ask for it again whenever the address changes. `documentation` is the address of the manual, '' for none:
- *  then what stands between <!-- documentation --> and its end is left out. */
-export function equations(documentation: string, words: Readonly<Record<string, string>>): Plugin {
+ *  then what stands between <!-- documentation --> and its end is left out. Of the words, code does without the groups
+ *  `elsewhere`. */
+export function equations(
+  documentation: string, words: Readonly<Record<string, string>>, elsewhere: readonly string[],
+): Plugin {
   return {
     name: 'stoss-equations',
     enforce: 'pre',
     resolveId: (id) => (id === '#words' ? '\0words' : null),
-    // What stands in index.html only is not needed twice.
     load: (id) => (id === '\0words' ? `export default ${JSON.stringify(
-      Object.fromEntries(Object.entries(words).filter(([name]) => !name.startsWith('how.'))))}` : null),
+      Object.fromEntries(Object.entries(words).filter(([name]) => !elsewhere.includes(name.split('.')[0]!))))}` : null),
     transformIndexHtml: {
       order: 'pre',
       handler(html, { filename }) {

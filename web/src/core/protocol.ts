@@ -3,8 +3,8 @@ import type * as stoss from 'stoss';
 
 export { CoreError, type Deliver, type Refusal } from 'stoss';
 export type {
-  AnglePoint, BodyFrame, Channel, Collision, Course, CurvePoint, Elastic, Encounter, Frame, Grid, ModeEnergy, ObliqueCollision,
-  Prediction, Quantities, Quantity, Restitution, Shape, Thresholds, Units,
+  AnglePoint, BodyFrame, Channel, Collision, Course, CurvePoint, Elastic, Encounter, Frame, Grid, ModeEnergy, Numbers, ObliqueCollision,
+  Prediction, Quantities, Quantity, Restitution, Row, RowCollision, RowReturn, Shape, Thresholds, Units,
 } from 'stoss';
 
 /** How they meet, in full. */
@@ -17,9 +17,15 @@ export type Questions = {
   ) => ReturnType<stoss.Questions[Name]>;
 };
 
+/** What it asks about rows. */
+export type RowQuestions = {
+  [Name in keyof stoss.RowQuestions]: (given: Required<Parameters<stoss.RowQuestions[Name]>[0]>) =>
+    ReturnType<stoss.RowQuestions[Name]>;
+};
+
 /** A question with all that the core needs for it. */
 export interface Call {
-  readonly question: keyof Questions;
+  readonly question: keyof Questions | keyof RowQuestions;
   readonly given: object;
 }
 
@@ -36,3 +42,8 @@ export type Core = <Name extends keyof Questions>(
   question: Name, encounter: stoss.Encounter, given: Parameters<Questions[Name]>[0],
   asking?: Asking<Parameters<Questions[Name]>[1] & {}>,
 ) => Promise<ReturnType<Questions[Name]>>;
+
+/** The core, asked about a row in the same way. */
+export type RowCore = <Name extends keyof RowQuestions>(
+  question: Name, row: stoss.Row, given: Parameters<RowQuestions[Name]>[0], signal?: AbortSignal,
+) => Promise<ReturnType<RowQuestions[Name]>>;

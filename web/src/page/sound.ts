@@ -9,7 +9,9 @@ import { meetingOf } from '../inputs/document';
 
 const rate = 44100;
 const seconds = 2;
-const quality = 1000; // of modes of a material without loss
+
+/** How much of a sound is asked for; the quality is that of modes of a material without loss. */
+export const heard = { count: seconds * rate, quality: 1000 };
 
 /** A lowest mode above this, in Hz, is played at concert pitch. */
 const highest = 8000;
@@ -34,10 +36,24 @@ export function mixed(parts: readonly Float32Array[]): Float32Array<ArrayBuffer>
   return all.map((each) => (0.9 * each) / loudest);
 }
 
+/** Makes what plays several sounds at once. */
+export function createSpeaker() {
+  let context: AudioContext | undefined;
+  return (parts: readonly Float32Array[]): void => {
+    context ??= new AudioContext();
+    const source = new AudioBufferSourceNode(context, {
+      buffer: new AudioBuffer({ length: seconds * rate, sampleRate: rate }),
+    });
+    source.buffer!.copyToChannel(mixed(parts), 0);
+    source.connect(context.destination);
+    source.start();
+  };
+}
+
 /** Wire the button of index.html. The result shows the collision that is heard. */
 export function createSound(core: Core) {
   let now: { encounter: Encounter; speed: number; cutoff: number; collision: Collision } | undefined;
-  let context: AudioContext | undefined;
+  const speak = createSpeaker();
   const button = find('play-sound', HTMLButtonElement);
   const note = find('sound-note', HTMLElement);
 
@@ -46,17 +62,11 @@ export function createSound(core: Core) {
     const played = pace(encounter, modes, unitsOf(encounter).frequency);
     if (!played) return say('sound.nothing');
     const bodies = [...new Set(modes.filter(({ after }) => after > 0).map(({ body }) => body))];
-    const given = { speed, cutoff, interval: played.interval, count: seconds * rate, quality };
+    const given = { speed, cutoff, interval: played.interval, ...heard };
     const parts = await Promise.allSettled(bodies.map((body) => core('sound', encounter, { ...given, body })));
-    const heard = parts.flatMap((part) => (part.status === 'fulfilled' ? [part.value] : []));
-    if (heard.length === 0) throw (parts[0] as PromiseRejectedResult).reason; // of a large body only a part is there
-    context ??= new AudioContext();
-    const source = new AudioBufferSourceNode(context, {
-      buffer: new AudioBuffer({ length: seconds * rate, sampleRate: rate }),
-    });
-    source.buffer!.copyToChannel(mixed(heard), 0);
-    source.connect(context.destination);
-    source.start();
+    const there = parts.flatMap((part) => (part.status === 'fulfilled' ? [part.value] : []));
+    if (there.length === 0) throw (parts[0] as PromiseRejectedResult).reason; // of a large body only a part is there
+    speak(there);
     return played.words;
   }
 

@@ -163,11 +163,11 @@ export function createPlayer(
   }
 
   return {
-    /** Plays a film from the share at which the last one is. */
-    show(next: Film): void {
+    /** Plays a film from the share at which the last one is; or, where it only goes on longer, from the time. */
+    show(next: Film, longer = false): void {
       const share = shareOf();
       film = next;
-      clock = { time: next.from + share * (next.to - next.from), rested: 0 };
+      clock = { time: longer ? clock.time : next.from + share * (next.to - next.from), rested: 0 };
       tellSpeed();
       draw();
       cursor(clock.time);

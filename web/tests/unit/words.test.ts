@@ -8,7 +8,8 @@ import { presets } from '../../src/inputs/inputs';
 import { ask } from '../core/wasm';
 
 const folder = fileURLToPath(new URL('../../src/', import.meta.url));
-const index = readFileSync(new URL('../../index.html', import.meta.url), 'utf8');
+const pages = ['index.html', 'cradle.html'].map((name) =>
+  ({ name, text: readFileSync(new URL(`../../${name}`, import.meta.url), 'utf8') }));
 const sources = readdirSync(folder, { recursive: true, encoding: 'utf8' })
   .filter((name) => name.endsWith('.ts') && !name.startsWith('generated'))
   .map((name) => ({ name, text: readFileSync(folder + name, 'utf8') }));
@@ -47,8 +48,8 @@ function found(text: string): string[] {
 
 describe('words', () => {
   it.each(sources.map(({ name, text }) => [name, text]))('are not in %s', (_, text) => expect(found(text)).toEqual([]));
-  it('are not in index.html', () => {
-    const own = shownOf(index.replace(/\{\{[\w.]+\}\}/g, '')).filter((each) => /[A-Za-z]{2,}/.test(each));
+  it.each(pages.map(({ name, text }) => [name, text]))('are not in %s', (_, text) => {
+    const own = shownOf(text!.replace(/\{\{[\w.]+\}\}/g, '')).filter((each) => /[A-Za-z]{2,}/.test(each));
     expect(own.map((each) => each.trim())).toEqual(['stoss']);
   });
   it('name each channel and constant of the core', () => {
@@ -62,7 +63,7 @@ describe('words', () => {
     expect(names.filter((name) => !(name in words))).toEqual([]);
   });
   it('are all used', () => {
-    const code = sources.map(({ text }) => text).join('\n') + index;
+    const code = [...sources, ...pages].map(({ text }) => text).join('\n');
     const named = new Set([...code.matchAll(/['"{]([a-z_]+\.[\w.]+)['"}]/g)].map(([, name]) => name));
     const made = new Set([...code.matchAll(/`([a-z_]+)\.\$\{/g)].map(([, group]) => group));
     const unused = Object.keys(words).filter((name) => !named.has(name) && !made.has(name.split('.')[0]) && name !== 'language');
