@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-WIDTH, HEIGHT = 1210, 340
+WIDTH, HEIGHT = 1210, 495
 BOX_WIDTH, BOX_HEIGHT = 150, 84
 
 # Name: left, top, what it holds.
@@ -13,6 +13,7 @@ ROOMS = {
     "restitution": (630, 20, ("ε with its error;", "curves")),
     "vibration": (830, 20, ("ensembles of bodies", "that vibrate")),
     "table": (830, 175, ("ε(v) as a function,", "with its error")),
+    "row": (830, 330, ("several bodies on", "one line: cradles")),
     "prediction": (1040, 20, ("real balls: channels,", "yield and adhesion")),
     "encounter": (1040, 175, ("kinds, materials, units:", "who meets whom, as given")),
     "bodies": (215, 175, ("disk, sphere, rod:", "modes and the rest")),
@@ -23,9 +24,10 @@ ARROWS = {
     "body": ("contact", "bodies"),
     "contact": ("impact", "quasistatic"),
     "impact": ("restitution",),
-    "restitution": ("vibration", "table"),
+    "restitution": ("vibration", "table", "row"),
     "quasistatic": ("table",),
     "table": ("encounter",),
+    "row": ("encounter",),
     "encounter": ("prediction",),
     "bodies": ("restitution", "quasistatic"),
 }
@@ -70,8 +72,8 @@ def picture():
         yield from room(name)
     for start, ends in ARROWS.items():
         yield from (arrow(start, end) for end in ends)
-    yield rectangle(20, 280, WIDTH - 40, 40, "#f1f1ee")
-    yield text(WIDTH // 2, 305, FOUNDATION, 13)
+    yield rectangle(20, HEIGHT - 60, WIDTH - 40, 40, "#f1f1ee")
+    yield text(WIDTH // 2, HEIGHT - 35, FOUNDATION, 13)
     yield "</svg>"
 
 

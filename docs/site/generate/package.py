@@ -23,6 +23,7 @@ PAGES = {
     "Bodies that vibrate": (
         "Oscillation restitution_distribution RestitutionDistribution bounce Bounces rod_chain RodChain"
     ),
+    "Rows": "row Row row_impact RowImpact",
     "Functions and tables": (
         "restitution_function RestitutionFunction pair_table PairTable collision_rule CollisionRule read_csv Table"
     ),
