@@ -13,15 +13,15 @@ struct Names {
 
 // In the order of Dimension.
 constexpr std::array<Names, 10> names{{{"", {"", "", "", "", "", ""}},
-                                      {"length", {"R", "L", "m", "m", "R", "m"}},
-                                      {"inverse length", {"1/R", "1/L", "1/m", "1/m", "1/R", "1/m"}},
-                                      {"time", {"R/c", "L/c", "s", "s", "R/c", "s"}},
-                                      {"speed", {"c", "c", "m/s", "m/s", "c", "m/s"}},
-                                      {"frequency", {"c/R", "c/L", "rad/s", "rad/s", "c/R", "rad/s"}},
-                                      {"force", {"piRE", "EA", "N/m", "N", "mc^2/R", "N"}},
-                                      {"energy", {"mc^2", "mc^2", "J/m", "J", "mc^2", "J"}},
-                                      {"acceleration", {"c^2/R", "c^2/L", "m/s^2", "m/s^2", "c^2/R", "m/s^2"}},
-                                      {"momentum", {"mc", "mc", "N s/m", "N s", "mc", "N s"}}}};
+                                       {"length", {"R", "L", "m", "m", "R", "m"}},
+                                       {"inverse length", {"1/R", "1/L", "1/m", "1/m", "1/R", "1/m"}},
+                                       {"time", {"R/c", "L/c", "s", "s", "R/c", "s"}},
+                                       {"speed", {"c", "c", "m/s", "m/s", "c", "m/s"}},
+                                       {"frequency", {"c/R", "c/L", "rad/s", "rad/s", "c/R", "rad/s"}},
+                                       {"force", {"piRE", "EA", "N/m", "N", "mc^2/R", "N"}},
+                                       {"energy", {"mc^2", "mc^2", "J/m", "J", "mc^2", "J"}},
+                                       {"acceleration", {"c^2/R", "c^2/L", "m/s^2", "m/s^2", "c^2/R", "m/s^2"}},
+                                       {"momentum", {"mc", "mc", "N s/m", "N s", "mc", "N s"}}}};
 
 const Names& of(Dimension dimension) { return names.at(static_cast<std::size_t>(dimension)); }
 

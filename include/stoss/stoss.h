@@ -235,7 +235,8 @@ int stoss_oblique(const stoss_contact* contact, const stoss_obliquity* obliquiti
                   const stoss_control* control, stoss_oblique_result* results);
 
 /**
- * Computes the velocities of bodies on one line after all their contacts, of a row that a JSON document describes, as in
+ * Computes the velocities of bodies on one line after all their contacts, of a row that a JSON document describes, as
+ * in
  *
  *     {"bodies": [{"kind": "sphere", "radius": 0.01, "material": "glass"}, {"kind": "sphere", "radius": 0.02,
  *      "material": "glass"}], "before": "wall", "after": "wall", "gaps": [0, 1e-6, 0]}

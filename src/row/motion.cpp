@@ -29,7 +29,7 @@ RowMotion::RowMotion(const MadeRow& row, const std::vector<double>& speeds, cons
   for (const MadeRow::Joint& joint : row.joints) {
     meetings_.emplace_back(*joint.contact, joint.resolution, joint.speed, poll);
   }
-  std::vector<RowSolid::Points> points(row.bodies.size());
+  std::vector<FacePoints> points(row.bodies.size());
   for (std::size_t k = 0; k < row.joints.size(); ++k) {
     const MadeRow::Joint& joint = row.joints[k];
     const auto face = static_cast<std::size_t>(joint.face);

@@ -63,7 +63,7 @@ void conclude(const std::vector<RowImpact>& runs, const Bars& bars, double faste
 }
 
 /// Why no higher cutoff is worth its time; empty if one is.
-/// @param next cutoff, and the highest, over the first
+/// @param wanted error of a velocity @param highest cutoff that is computed
 std::string hopeless(const RowResult& result, const RowImpact& last, const Bars& bars, double wanted, double highest) {
   const double open = *std::max_element(last.open.begin(), last.open.end());
   if (open > wanted) {

@@ -12,54 +12,7 @@
 #include "stoss/errors.hpp"
 
 namespace stoss {
-namespace {
-
-/// The modes of a body as those of a contact by itself. Those of a rod go by turns with either sign to its other end,
-/// and make a group of each.
-Contact alone(const std::shared_ptr<const Body>& body, bool both_faces) {
-  Contact its;
-  its.first = body;
-  its.mass = body->mass;
-  its.whole_mass = whole_mass(*body);
-  its.extent = body->extent;
-  its.cutoff = body->cutoff;
-  its.stable_step = body->stable_step;
-  if (!both_faces || body->contour != Contour::flat) {
-    its.groups = body->groups;
-  } else {
-    for (const ModeGroup& whole : body->groups) {
-      for (const double sign : {1.0, -1.0}) {
-        ModeGroup& part = its.groups.emplace_back();
-        part.order = whole.order;
-        part.upper_row = part.lower_row = sign > 0.0 ? 0 : 1;
-        for (std::size_t l = 0; l < whole.omega.size(); ++l) {
-          if (opposite_share(*body, whole, l) != sign) continue;
-          part.omega.push_back(whole.omega[l]);
-          part.upper.push_back(whole.upper[l]);
-          part.lower.push_back(whole.lower[l]);
-          part.index.push_back(static_cast<int>(l));
-        }
-      }
-    }
-  }
-  its.first_groups = its.groups.size();
-  return its;
-}
-
-/// What moving a row of Surface::shape at this face moves at the other.
-std::vector<double> signs(const Contact& contact, std::size_t rows) {
-  std::vector<double> sign(rows, 1.0);
-  for (const ModeGroup& group : contact.groups) {
-    const bool flat = contact.first->contour == Contour::flat;
-    const double its = flat ? (group.upper_row == 0 ? 1.0 : -1.0) : opposite_share(*contact.first, group, 0);
-    sign[group.upper_row] = sign[group.lower_row] = its;
-  }
-  return sign;
-}
-
-}  // namespace
-
-RowSolid::RowSolid(std::shared_ptr<const Body> body, const UnitRatios& units, const Points& points, double step,
+RowSolid::RowSolid(std::shared_ptr<const Body> body, const UnitRatios& units, const FacePoints& points, double step,
                    double speed)
     : body_(std::move(body)),
       units_(units),
@@ -72,11 +25,8 @@ RowSolid::RowSolid(std::shared_ptr<const Body> body, const UnitRatios& units, co
     throw InvalidInput::out_of_range("row", "'" + short_name(*body_) + "' between two others",
                                      "spheres, disks and rods; others at its ends", "it has no opposite face");
   }
-  ContactGrid grid;
-  std::array<Surface, 2> surface;
   for (std::size_t f = 0; f < 2; ++f) {
     if (!points[f]) continue;
-    surface[f] = body_->surface(*points[f]);
     Side& its = sides_[f];
     its.begin = force_.size(), its.count = points[f]->count;
     for (auto* each : {&its.force, &its.before, &its.across}) each->resize(its.count);
@@ -90,24 +40,11 @@ RowSolid::RowSolid(std::shared_ptr<const Body> body, const UnitRatios& units, co
   const double shorter = step / units.time * body_->cutoff / usual;
   lag_ = shorter > 0.5 ? 1.0 : shorter;
   if (mode_count(*body_) == 0) return;
-  const Contact contact = alone(body_, both);
-  grid.recess.resize(force_.size());
-  const std::size_t given = surface[points[1] ? 1 : 0].shape.size() / (points[1] ? points[1] : points[0])->count;
-  const bool split = contact.groups.size() != body_->groups.size();
-  const std::size_t rows = split ? 2 * given : given;
-  const std::vector<double> sign = signs(contact, rows);
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t f = 0; f < 2; ++f) {
-      const double share = both && f == 0 ? sign[row] : 1.0;
-      for (std::size_t i = 0; i < sides_[f].count; ++i) {
-        grid.shape.push_back(share * surface[f].shape[(row % given) * sides_[f].count + i]);
-      }
-    }
-  }
-  groups_ = contact.groups;
+  const FaceModes its = face_modes(body_, points);
+  groups_ = its.contact.groups;
   const Kicks kicks = longest_loss_time(*body_) > 0.0 ? Kicks::weaker : Kicks::whole;
-  modes_.emplace(contact, grid, step / units.time, kicks);
-  if (both && loses(*body_)) begin_creep(contact, grid, step / units.time);
+  modes_.emplace(its.contact, its.grid, step / units.time, kicks);
+  if (both && loses(*body_)) begin_creep(its.contact, its.grid, step / units.time);
 }
 
 void RowSolid::begin_creep(const Contact& contact, const ContactGrid& grid, double step) {

@@ -10,6 +10,7 @@
 #include "impact/kept_modes.hpp"
 #include "impact/normal_motion.hpp"
 #include "relaxation/creep.hpp"
+#include "row/face_modes.hpp"
 #include "stoss/body/body.hpp"
 #include "stoss/impact/vibration.hpp"
 
@@ -27,12 +28,10 @@ enum class Face { left, right };
 /// creep, u = J(s) W_x f, and what the kicks of the kept modes leave out follows at once, as at their own face.
 class RowSolid {
  public:
-  /// Contact points at the faces that meet something, as the body sees them.
-  using Points = std::array<std::optional<ContactPoints>, 2>;
-
   /// @param units of the body in those of the first in the row @param step, speed in those of the first
   /// @throws InvalidInput for a body with two neighbours whose opposite face is not known
-  RowSolid(std::shared_ptr<const Body> body, const UnitRatios& units, const Points& points, double step, double speed);
+  RowSolid(std::shared_ptr<const Body> body, const UnitRatios& units, const FacePoints& points, double step,
+           double speed);
 
   /// Takes the forces of a contact at a face, the first `count` of which may be other than 0, and their sum.
   void load(Face face, const std::vector<double>& force, std::size_t count, double sum);

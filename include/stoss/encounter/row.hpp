@@ -45,8 +45,8 @@ struct GivenRow {
 /// @param speeds of the bodies from left to right; those that are left out rest @throws InvalidInput
 [[nodiscard]] std::vector<double> speeds_in_c(const GivenRow& given, const std::vector<double>& speeds);
 
-/// The velocities after all contacts of a row as it is given, in c of the first body, without that of what stands at its
-/// end. @throws as row and row_of
+/// The velocities after all contacts of a row as it is given, in c of the first body, without that of what stands at
+/// its end. @throws as row and row_of
 [[nodiscard]] RowResult row(const GivenRow& given, const std::vector<double>& speeds, const RowOptions& options = {});
 
 /// One motion of it, for trajectories: of all bodies, that which stands at its end included.
