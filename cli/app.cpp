@@ -62,6 +62,7 @@ void declare(CLI::App& app, std::string_view commit) {
   add_row(app);
   add_table(app);
   add_fit(app);
+  add_calibrate(app);
   add_relaxation(app);
   add_materials(app);
   add_schema(app);

@@ -46,6 +46,7 @@ void add_schema(CLI::App& app);
 void add_sweep(CLI::App& app);
 void add_merge(CLI::App& app);
 void add_fit(CLI::App& app);
+void add_calibrate(CLI::App& app);
 
 /// Adds a subcommand with arguments of its own, on which it runs. They know it as their member `command`.
 template <typename Arguments>

@@ -215,6 +215,14 @@ void bind_encounters(py::module_& module) {
         return terms_of(shifted(given, c1, c2, reference, temperature));
       });
   def(module, "named_materials", &all_materials);
+  def(module, "uncertainties_of_material", {"name"}, [](const std::string& name) {
+    const Uncertainties& its = material_of_the_list(name).uncertainties;
+    return std::map<std::string, double>{{"young", its.young},
+                                         {"density", its.density},
+                                         {"poisson", its.poisson},
+                                         {"loss", its.loss},
+                                         {"yield_strength", its.yield_strength}};
+  });
   def(module, "material_of_the_list", {"name"},
       [](const std::string& name) { return std::string(material_of_the_list(name).name); });
   def(module, "plane_poisson", {"young", "poisson", "density", "strain"},

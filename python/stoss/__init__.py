@@ -26,6 +26,7 @@ written.
 `oblique_impact`                  one of them in time, with all that the contact points do
 `predict`                         what a drop test of a real ball shows, with yield and adhesion as
                                   models
+`calibrate`                       constants of materials from measured impacts
 `fit`                             constants of a force law of a simulation program, and their misfit
 `restitution_distribution`        ε of many bodies that vibrate at random before
 `sweep`, `Grid`                   ε of many bodies, partners and speeds, with a store
@@ -66,6 +67,7 @@ from stoss.bodies._measurement import FittedRelaxation, relaxation_of_measuremen
 from stoss.bodies._modal import ModalBody
 from stoss.bodies._walls import ExponentialWall, HalfPlane, HalfSpace, HardWall, Layer, Plate, Strip, Wall
 from stoss.bodies._state import Oscillation
+from stoss.calibration._calibration import CalibratedConstant, Calibration, calibrate
 from stoss.export._csv import Table, read_csv
 from stoss.export._tables import with_error
 from stoss.results._adaptive_rule import collision_rule
@@ -94,14 +96,14 @@ from stoss.sweeps._sweep import sweep
 from stoss.sweeps._values import Sweep, merge, open_sweep
 
 __all__ = [
-    "AtlasValue", "Body", "Bounces", "CollisionRule", "Disk", "DiskField", "ExponentialWall",
+    "AtlasValue", "Body", "Bounces", "CalibratedConstant", "Calibration", "CollisionRule", "Disk", "DiskField", "ExponentialWall",
     "Field", "Fit", "FittedRelaxation", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact",
     "Influence", "Interrupted", "InvalidInput", "Layer", "Material", "Misfit", "ModalBody", "Modes", "NotConverged",
     "ObliqueImpact", "ObliqueLedger", "ObliqueRestitution", "ObliqueTrajectory", "Oscillation",
     "PairTable", "Plate", "Prediction", "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod",
     "RodChain", "Row", "RowImpact", "Scales", "Sound", "Sphere", "SphereField", "StossWarning", "Strip", "Sweep", "Table",
     "Trajectory", "Wall", "Wave",
-    "__version__", "animate", "atlas", "bounce", "collision_rule",
+    "__version__", "animate", "atlas", "bounce", "calibrate", "collision_rule",
     "fit", "impact", "materials", "merge", "modes", "oblique", "oblique_impact", "open_sweep",
     "pair_table", "plot", "predict", "quasistatic", "read_csv", "relaxation_of_measurement", "restitution",
     "restitution_distribution", "restitution_function", "rod_chain", "row", "row_impact", "shifted", "sweep",

@@ -20,7 +20,7 @@ from typing import Any, Callable, NoReturn, Sequence
 from stoss import _starting
 from stoss._errors import InvalidInput, NotConverged, StossWarning
 
-NAMES = ("sweep", "merge", "fit", "table")
+NAMES = ("sweep", "merge", "fit", "calibrate", "table")
 
 
 class Usage(Exception):

@@ -1,4 +1,4 @@
-"""The subcommands sweep, merge, fit, and table as NetCDF, which the command stoss hands over.
+"""The subcommands sweep, merge, fit, calibrate, and table as NetCDF, which the command stoss hands over.
 
 The exit code is 1 where values of a merge are missing. A value that did not converge is there, with
 its error: it makes no job fail.
@@ -6,18 +6,20 @@ its error: it makes no job fail.
 
 from __future__ import annotations
 
+import json
 import math
 import os
 import re
 import warnings
-from typing import Sequence
+from typing import Any, Sequence
 
 import numpy as np
 
 from stoss._arguments import refusal
 from stoss._commands import Parser, guarded, on_terminal, put, say
-from stoss._errors import StossWarning
-from stoss.export._files import require_writable
+from stoss._errors import InvalidInput, StossWarning
+from stoss.calibration._calibration import calibrate
+from stoss.export._files import require_writable, write_lines
 from stoss.laws._fit import fit
 from stoss.results._adaptive_rule import collision_rule
 from stoss.results._progress import bar
@@ -29,10 +31,12 @@ from stoss.sweeps._specification import of_document
 from stoss.sweeps._tasks import Part, Worker, fill, flush, missing, parts_of
 from stoss.sweeps._values import Sweep, merge, values_of
 
+LEFT_OUT = object()
+
 
 def main(words: Sequence[str]) -> int:
     """Run one of them. Returns the exit code."""
-    run = {"sweep": _sweep, "merge": _merge, "fit": _fit, "table": _table}[words[0]]
+    run = {"sweep": _sweep, "merge": _merge, "fit": _fit, "calibrate": _calibrate, "table": _table}[words[0]]
     kept = " (what was finished is in the store)" if run in (_sweep, _merge) else ""
     return guarded(lambda: run(words[1:]), f"interrupted{kept}")
 
@@ -157,6 +161,53 @@ def _fit(words: Sequence[str]) -> int:
     for text in dict.fromkeys(str(each.message) for each in caught):
         say(f"stoss: warning: {text}")
     return 0
+
+
+def _calibrate(words: Sequence[str]) -> int:
+    parser = Parser("stoss calibrate", description="Find constants from measured impacts.", allow_abbrev=False)
+    parser.add_argument("data", metavar="DATA", help="CSV file of the measurements")
+    parser.add_argument("encounter", metavar="DOCUMENT", help="who meets whom, as JSON")
+    parser.add_argument("--unknown", required=True, action="append", metavar="NAME[=START]", help="what is sought")
+    parser.add_argument("--uncertainty", action="append", default=[], metavar="NAME=U", help="of what is held")
+    parser.add_argument("--friction", type=float, metavar="MU", help="coefficient of friction")
+    parser.add_argument("--without-air", action="store_true", help="heights and times without air")
+    parser.add_argument("--format", default="table", choices=("table", "json", "csv"), help="how it is printed")
+    parser.add_argument("--report", metavar="FILE", help="page in HTML")
+    parser.add_argument("-o", "--output", metavar="FILE", help="file of what is printed")
+    given = parser.parse_args(words)
+    output = None if given.output == "-" else given.output
+    for path in (output, given.report):
+        if path:
+            require_writable(path)
+    body, met = of_document(given.encounter)
+    found = calibrate(
+        given.data, body, against="same" if met == body else met, unknown=_named("unknown", given.unknown, None),
+        friction=given.friction, air=not given.without_air, progress=on_terminal(),
+        uncertainties=_named("uncertainty", given.uncertainty),
+    )  # fmt: skip
+    lines = [str(found)] if given.format == "table" else [json.dumps(found.to_dict(), indent=2, ensure_ascii=False)]
+    lines = [line.rstrip("\n") for line in found._lines()] if given.format == "csv" else lines
+    if given.report:
+        found.report(given.report)
+    if output:
+        write_lines(output, (f"{line}\n" for line in lines))
+    else:
+        put("\n".join(lines))
+    return 0
+
+
+def _named(option: str, given: Sequence[str], otherwise: Any = LEFT_OUT) -> dict[str, Any]:
+    """What NAME=NUMBER says, each once; `otherwise`: of a name alone, if that may be."""
+    found: dict[str, Any] = {}
+    for text in given:
+        name, sign, number = text.partition("=")
+        if name in found or not sign and otherwise is LEFT_OUT:
+            raise InvalidInput.out_of_range(option, repr(text), "NAME=NUMBER, each name once", "as in young=0.05")
+        try:
+            found[name] = float(number) if sign else otherwise
+        except ValueError:
+            raise InvalidInput.out_of_range(f"{option} {name}", repr(number), "a number") from None
+    return found
 
 
 def _table(words: Sequence[str]) -> int:

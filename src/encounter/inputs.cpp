@@ -51,7 +51,7 @@ std::vector<Input> rows() {
             "Spin of the second body, up to 1 c at its surface, with the same sign of sliding",
             {{oblique, series, 0.0}}),
       entry("friction", none, ranges::friction, "Coefficient of Coulomb's law",
-            {{oblique, number, {}, true}, {fit, number, 0.0}}),
+            {{oblique, number, {}, true}, {fit, number, 0.0}, {calibrate}}),
       entry("friction", none, ranges::friction,
             "With --oblique, of disks that are not equal: the coefficient of Coulomb's law for which the table holds; "
             "other tables serve any friction",
@@ -161,6 +161,7 @@ const std::vector<std::pair<Question, std::string_view>>& questions() {
                                                                       {predict, "predict"},
                                                                       {table, "table"},
                                                                       {fit, "fit"},
+                                                                      {calibrate, "calibrate"},
                                                                       {row, "row"},
                                                                       {pulse, "pulse"}};
   return all;

@@ -14,7 +14,7 @@ import pytest
 
 FILES = Path(__file__).resolve().parents[2] / "examples/any_body"
 SUBCOMMANDS = ["", "modes", "impact", "bounce", "restitution", "oblique", "distribution", "quasistatic", "predict",
-               "pulse", "row", "table", "fit", "relaxation", "materials", "schema", "sweep", "merge"]  # fmt: skip
+               "pulse", "row", "table", "fit", "calibrate", "relaxation", "materials", "schema", "sweep", "merge"]  # fmt: skip
 
 
 def on_a_terminal(words, columns):

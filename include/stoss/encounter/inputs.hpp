@@ -14,7 +14,7 @@
 namespace stoss {
 
 /// What can be asked of an encounter.
-enum class Question { impact, bounce, restitution, oblique, distribution, predict, table, fit, row, pulse };
+enum class Question { impact, bounce, restitution, oblique, distribution, predict, table, fit, row, pulse, calibrate };
 
 /// As what a question takes an input: one number, a whole one, a series of them, or the two ends of a range.
 enum class Form { number, whole, series, range };

@@ -7,6 +7,7 @@ column; in your own Axes the text follows your settings. Nothing global is chang
 ================================================  ==================================================
 `restitution`                                     ε or 1 − ε² against speed
 `function`                                        ε(v) as a function, with its error
+`calibration`                                     measured and computed values, with the band of constants
 `prediction`                                      a drop test: ε in its band, and what each channel takes
 `oblique`                                         ε_t and ε_n against the angle of incidence
 `oblique_impact`, `grip`                          one of them in time: velocities, forces, stick and
@@ -42,6 +43,7 @@ except ModuleNotFoundError as _missing:
     raise ImportError(f"stoss.plot needs matplotlib: {_hint}") from None
 
 from stoss.plot._animation import animate
+from stoss.plot._calibration import calibration
 from stoss.plot._disk import disk, sphere
 from stoss.plot._restitution import function, pair_table
 from stoss.plot._modes import ledger
@@ -59,7 +61,7 @@ from stoss.plot._stress import stress
 from stoss.plot._style import PICTURES as PICTURES
 
 __all__ = [
-    "animate", "bounces", "cooling", "disk", "distribution", "energies", "force",
+    "animate", "bounces", "calibration", "cooling", "disk", "distribution", "energies", "force",
     "function", "grip", "half_width", "ledger", "master_curve", "mode_shape", "oblique", "oblique_impact",
     "oblique_ledger", "pair_table", "prediction", "rayleigh", "restitution", "restitution_histogram", "row", "row_impact",
     "sequence", "slow_impact", "spectrum", "sphere", "static_contact", "stress", "velocity", "wave",

@@ -37,7 +37,7 @@ class Influence:
     """How ε answers to a constant that is known within a factor.
 
     Attributes:
-        constant (str): As "young" of the ball, "against young" of what it meets.
+        constant (str): As "young" of the ball, "against.young" of what it meets.
         uncertainty (float): u: the constant is known within a factor of 1 + u.
         change (float): Change of ε where the constant is larger by this factor.
     """
@@ -175,7 +175,7 @@ def predict(
         adhesion: Work of adhesion of both surfaces, J/m², 0 to 1e6; default: 2√(γ₁γ₂) of the
             `surface_energy` of both materials, 0 where one has none.
         uncertainties (mapping of str to float, optional): Constants by name, as ``{"young": 0.05,
-            "against loss": 2}``: each is known within a factor of 1 + u, u from 0 to 10.
+            "against.loss": 2}``: each is known within a factor of 1 + u, u from 0 to 10.
             Default: those of `stoss.materials`.
         tolerance: For the computed channels, relative error of 1 − ε², 1e-15 to 0.5.
 

@@ -1,0 +1,1 @@
+"""Constants of materials from measured impacts: `calibrate`."""
