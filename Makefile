@@ -128,7 +128,7 @@ results: setup python ## the tables of docs/results/ and the figures of docs/und
 	@$(PYTHON) studies/oblique/superball.py docs/results/oblique/superball.csv docs/images/superball.png
 	@build/venv/bin/python studies/laws/make.py docs/results/laws.csv
 	@$(PYTHON) studies/energy/figure.py build/release/cli/stoss docs/results/energy.csv docs/images/energy.png
-	@$(PYTHON) studies/energy/regimes.py build/release/cli/stoss docs/results/regimes.csv docs/images/regimes.png
+	@build/venv/bin/python studies/energy/regimes.py docs/results/regimes.csv docs/images/regimes.png
 	@$(PYTHON) studies/measured/figure.py build/release/cli/stoss docs/images/measured.png
 	@build/release/studies/stoss_vibration docs/results/vibration
 	@$(PYTHON) studies/vibration/figure.py docs/results/vibration docs/images

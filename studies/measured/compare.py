@@ -49,6 +49,18 @@ def law(command, name, what, radius, chosen):
         yield what, f"{1e3 * row['speed']:g} mm/s", f"{value:.2f}, law", *said(row), losses(value, row)
 
 
+def beads(command):
+    """Beads of glass and of HDPE. Their speed is not given; it decides little of what is predicted."""
+    met = {"glass bead on glass bead": ("glass", "same"), "glass bead on acrylic": ("glass", "half-space,material=PMMA"),
+           "glass bead on HDPE bead": ("glass", "sphere,material=PE,radius=0.00158"),
+           "HDPE bead on HDPE bead": ("PE", "same")}  # fmt: skip
+    for measured in points("lamarche_2022_beads"):
+        value, error = float(measured["restitution"]), float(measured["restitution_error"])
+        (row,) = predicted(command, met[measured["pair"]][0], 0.00155, met[measured["pair"]][1], [1.0])
+        yield (f"{measured['pair']}, Ø 3.1 mm (LaMarche and others 2022)", "not given", f"{value:.3f} ± {error:.3f}", *said(row),
+               losses(value, row))  # fmt: skip
+
+
 def lines(command):
     block = "half-space,material="
     (row,) = predicted(command, "alumina", 0.0025, block + "glass", [3.9])
@@ -71,6 +83,12 @@ def lines(command):
     (row,) = predicted(command, "granite", 0.5, "same", [1.0])
     value = float(granite["restitution"])
     yield ("granite, Ø 1 m, on its like (Durda and others 2011)", "1 m/s", f"{value} ± {granite['restitution_error']}",
+           *said(row), losses(value, row))  # fmt: skip
+    yield from beads(command)
+    (phenolic,) = points("phenolic_on_phenolic")
+    value = float(phenolic["restitution"])
+    (row,) = predicted(command, "phenolic resin", 0.0286, "same", [1.0])
+    yield ("pool balls of phenolic resin, Ø 57 mm (Alciatore, quoted)", "not given", f"{value} ± {phenolic['restitution_error']}",
            *said(row), losses(value, row))  # fmt: skip
     (sticks,) = points("gundlach_2014_sticking")
     (row,) = predicted(command, "ice", 1.5e-6, "same", [float(sticks["sticking_speed_m_s"])])

@@ -65,7 +65,17 @@ def test_table_of_measurements():
     table, _ = page("docs/understand/measured.md")
     made = subprocess.run([sys.executable, ROOT / "studies/measured/compare.py", os.environ["STOSS"]],
                           check=True, capture_output=True, text=True).stdout  # fmt: skip
-    assert made.count("\n") == 10
+    assert made.count("\n") == 15
+    for line in made.splitlines():
+        assert line in table
+
+
+@pytest.mark.long  # six searches
+def test_table_of_calibrated_series():
+    table, _ = page("docs/understand/measured.md")
+    words = [sys.executable, ROOT / "studies/measured/calibrated.py"]
+    made = subprocess.run(words, check=True, capture_output=True, text=True).stdout
+    assert made.count("\n") == 6
     for line in made.splitlines():
         assert line in table
 

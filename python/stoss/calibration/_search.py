@@ -96,7 +96,8 @@ class Search:
 
     def at(self, logs: Array) -> Meeting:
         """What meets, with other constants."""
-        return self._meeting.changed(dict(zip((each.name for each in self._unknowns), np.exp(logs).tolist())))
+        values = (min(max(float(np.exp(log)), each.low), each.high) for log, each in zip(logs, self._unknowns))
+        return self._meeting.changed(dict(zip((each.name for each in self._unknowns), values)))
 
     def cheap(self, meeting: Meeting) -> Array:
         """Values of cheap impacts of other bodies."""

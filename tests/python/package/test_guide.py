@@ -26,10 +26,10 @@ import stoss
 ROOT = Path(__file__).parents[3]
 TOUR = "docs/tutorials/vibrating_bodies.md"
 PAGES = (
-    "README.md", "docs/start/first_impact.md", "docs/understand/when_elasticity_decides.md", TOUR,
+    "README.md", "docs/start/first_impact.md", "docs/understand/what_decides.md", TOUR,
     *(f"docs/tutorials/{name}.md" for name in ("drop_test", "lammps", "event_driven", "cad")),
     *(f"docs/howto/{name}.md" for name in (
-        "units", "accuracy", "warnings", "curves", "plates", "two_bodies", "friction", "loss", "roughness", "vibration",
+        "units", "accuracy", "warnings", "curves", "plates", "two_bodies", "friction", "loss", "calibrate", "roughness", "vibration",
         "rows", "engines", "sweeps", "plots", "export", "sound")),
     "docs/reference/python.md", "docs/reference/laws.md",
 )  # fmt: skip
