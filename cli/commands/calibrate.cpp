@@ -41,23 +41,25 @@ void add_calibrate(CLI::App& app) {
   auto& arguments = add_subcommand<CalibrateArguments>(
       app, "calibrate", "Constants of materials from measured impacts", run,
       "Examples:\n"
-      "  stoss calibrate drops.csv --body sphere --material glass --radius 0.008 --against half-space,material=granite\n"
+      "  stoss calibrate drops.csv --body sphere --material glass --radius 0.008 --against "
+      "half-space,material=granite\n"
       "      --unknown quality --report drops.html\n"
       "  stoss calibrate cue.csv --body sphere --young 5e9 --poisson 0.34 --density 1700 --radius 0.0286\n"
       "      --against same --unknown quality=30 --unknown young --format json");
   CLI::App& command = *arguments.command;
   add(command, "data", arguments.data,
-      "CSV file in SI: columns speed or drop_height, beside any of restitution, rebound_height, contact_time, "
-      "peak_force, angle with tangential_restitution; or time of the successive impacts of a ball that bounces; each "
-      "with its standard uncertainty, as restitution_uncertainty",
+      "CSV file in SI. Columns: speed or drop_height, beside any of restitution, rebound_height, contact_time, "
+      "peak_force, angle with tangential_restitution. Or time: successive impacts of a ball that bounces. Each with "
+      "its "
+      "standard uncertainty, as restitution_uncertainty",
       "DATA.csv", "Data")
       ->required();
   command.add_flag("--without-air", arguments.without_air, "Take heights and times as of a ball without air")
       ->group("Data");
   add(command, "--unknown", arguments.unknowns,
-      "Constant that is sought, one to three: quality, loss_time, relaxation (a factor), young, density, "
-      "yield_strength, yield_hardening, roughness, radius, friction; of what is met as against.young; with =START the "
-      "search begins there",
+      "Constant to find, one to three: quality, loss_time, relaxation (a factor), young, density, yield_strength, "
+      "yield_hardening, roughness, radius, friction. Those of the partner begin with against. as in against.young. "
+      "With =START the search begins there",
       "NAME[=START]", "Constants")
       ->required();
   add_input(command, Question::calibrate, "friction", arguments.friction, "Constants");

@@ -70,16 +70,6 @@ def test_table_of_measurements():
         assert line in table
 
 
-@pytest.mark.long  # six searches
-def test_table_of_calibrated_series():
-    table, _ = page("docs/understand/measured.md")
-    words = [sys.executable, ROOT / "studies/measured/calibrated.py"]
-    made = subprocess.run(words, check=True, capture_output=True, text=True).stdout
-    assert made.count("\n") == 6
-    for line in made.splitlines():
-        assert line in table
-
-
 def test_loss_of_measured_balls_in_terms_of_their_speed():
     _, words = page("docs/understand/measured.md")
     for speed, said in (("1e-3", "0.12 v/c"), ("1e-2", "0.14 v/c")):
@@ -109,6 +99,7 @@ def test_factors_by_which_constants_vary():
 def test_ratios_of_the_losses_of_ice_are_those_of_the_table():
     table, words = page("docs/understand/measured.md")
     lines = [line for line in table.splitlines() if "ice, Ø" in line or line.startswith("| the same, compacted")]
+    lines = [line for line in lines if line.count("|") == 10]
     rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in lines]
     slow, fast = ([float(row[-1]) for row in rows if (row[1] == "1 mm/s") == is_slow] for is_slow in (True, False))
     assert len(rows) == 7 and f"by a factor of {min(fast):g} to {max(fast):g} in the loss" in words

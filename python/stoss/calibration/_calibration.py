@@ -70,7 +70,7 @@ class Calibration(Result):
         probability: That of a larger chi_squared, if all is as assumed. NaN where no uncertainties were given, and
             without degrees of freedom.
         not_told_apart: What these data do not tell apart, a sentence each.
-        notes: What else there is to know, as how the air was taken.
+        notes: Further remarks, such as whether air was taken off.
 
     Examples:
         >>> glass = stoss.Material(young=7e10, poisson=0.22, density=2500, quality=100)
