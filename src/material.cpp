@@ -37,6 +37,20 @@ double loss_time_of_quality(double quality, double frequency) {
   return 1.0 / (quality * frequency);
 }
 
+Material material_of_wave_speeds(double c_p, double c_s, double density) {
+  require("c_s", c_s, positive, "speed of transverse waves, m/s; steel has 3200");
+  require("density", density, positive, "in kg/m^3; steel has 7850");
+  const double least = std::sqrt(4.0 / 3.0) * c_s;
+  if (!(c_p > least) || !(c_p <= positive.high)) {
+    throw InvalidInput::out_of_range("c_p", shown(c_p), "above sqrt(4/3) c_s, " + shown_least(least) + " m/s",
+                                     "speed of longitudinal waves; steel has 5900");
+  }
+  const double p = c_p * c_p, s = c_s * c_s;
+  return {.young = density * s * (3.0 * p - 4.0 * s) / (p - s),
+          .poisson = 0.5 * (p - 2.0 * s) / (p - s),
+          .density = density};
+}
+
 Scales scales(const Material& material, Plane plane, double radius) {
   validate(material);
   require("radius", radius, positive, "in m");

@@ -130,6 +130,9 @@ void BodyOptions::add_material_to(CLI::App& command) {
           group);
     }
   }
+  add(command, "--c-p", c_p_, "In place of --young and --poisson: speed of longitudinal waves in a solid in m/s", "M/S",
+      group);
+  add(command, "--c-s", c_s_, "With it: speed of transverse waves in m/s", "M/S", group);
   add_choice(command, "--plane", plane_, {"stress", "strain"},
              "Shape of a disk: thin (stress) or a long cylinder (strain); default: stress", "PLANE", group);
 }
@@ -153,15 +156,17 @@ void BodyOptions::require_own(const Kind& its) const {
 
 /// Whether there is something that only a body with a material has.
 bool BodyOptions::in_si() const {
-  return !material_.empty() || !plane_.empty() || std::any_of(numbers_.begin(), numbers_.end(), [](auto& of) {
-    return of.second && of.first != "poisson" && !is_of_whole(of.first);
-  });
+  return !material_.empty() || !plane_.empty() || c_p_ || c_s_ ||
+         std::any_of(numbers_.begin(), numbers_.end(),
+                     [](auto& of) { return of.second && of.first != "poisson" && !is_of_whole(of.first); });
 }
 
 void BodyOptions::set_numbers(Participant& body) const {
   for (const auto& [name, value] : numbers_) {
     if (value) body.values[name] = *value;
   }
+  if (c_p_) body.values["c_p"] = *c_p_;
+  if (c_s_) body.values["c_s"] = *c_s_;
 }
 
 Participant BodyOptions::body() const {
@@ -179,7 +184,7 @@ Participant BodyOptions::body() const {
   Participant body{.kind = kind_, .material_name = material_, .rigid = rigid_};
   if (plane_ == "strain") body.plane = Plane::strain;
   set_numbers(body);
-  if (has_poisson(body) && !body.values.contains("poisson") && material_.empty()) {
+  if (has_poisson(body) && !body.values.contains("poisson") && material_.empty() && !c_p_) {
     throw CLI::RequiredError("--poisson");
   }
   if (in_si()) set_material(body, 0.0, "material");
@@ -194,11 +199,28 @@ void take_young(Participant& of, const std::string& young_is) {
   take_young_as_relaxed(of);
 }
 
+/// Modulus and Poisson's ratio of the speeds of waves, if they were given.
+void take_wave_speeds(Participant& of) {
+  if (!of.values.contains("c_p") && !of.values.contains("c_s")) return;
+  for (const char* needed : {"c_p", "c_s", "density"}) {
+    if (!of.values.contains(needed)) {
+      throw InvalidInput::missing(needed, "a number", "c_p, c_s and density make a material together");
+    }
+  }
+  for (const char* other : {"young", "poisson"}) {
+    if (of.values.contains(other)) throw InvalidInput::conflict(other, "c_p and c_s give it", "leave it out, or them");
+  }
+  const Material its = material_of_wave_speeds(of.values.at("c_p"), of.values.at("c_s"), of.values.at("density"));
+  of.values["young"] = its.young, of.values["poisson"] = its.poisson;
+  of.values.erase("c_p"), of.values.erase("c_s");
+}
+
 void set_material(Participant& of, double poisson, const std::string& option) {
   if (!of.material_name.empty()) {
     const NamedMaterial& its = material_of_the_list(of.material_name);
     of.material_name = its.name, of.material = its.material;
   } else {
+    take_wave_speeds(of);
     const bool young = of.values.contains("young"), density = of.values.contains("density");
     if (!young || !density) {
       throw InvalidInput::out_of_range(

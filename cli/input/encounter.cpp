@@ -22,6 +22,7 @@ std::vector<std::string> keys_of(const Kind& its) {
   for (const Parameter& each : its.parameters) keys.emplace_back(each.name);
   if (its.can_be_rigid) keys.emplace_back("rigid");
   if (!its.wall) keys.insert(keys.end(), {"relaxation", "young_is", "material"});
+  if (parameter(its, "poisson") != nullptr) keys.insert(keys.end(), {"c_p", "c_s"});
   return keys;
 }
 
@@ -39,7 +40,7 @@ std::vector<std::string> layer_keys_of(const Kind& its) {
   for (const Parameter& each : its.parameters) {
     if (!is_of_whole(each.name)) keys.emplace_back(each.name);
   }
-  keys.emplace_back("material");
+  keys.insert(keys.end(), {"material", "c_p", "c_s"});
   return keys;
 }
 

@@ -48,6 +48,7 @@ class BodyOptions {
   std::string kind_ = "sphere";
   std::map<std::string, std::optional<double>> numbers_;  // by parameter
   std::string material_, plane_, relaxation_, young_is_;
+  std::optional<double> c_p_, c_s_;  ///< speeds of waves, m/s
   bool rigid_ = false;
 };
 

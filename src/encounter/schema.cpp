@@ -60,8 +60,11 @@ Json materials() {
                        {"relaxation", {{"$ref", "#/$defs/relaxation"}}},
                        {"young_is", young_is()},
                        {"quality", {{"type", "number"}, {"minimum", 3}, {"maximum", 1e9}}},
-                       {"frequency", positive}}},
-                     {"required", {"young", "poisson", "density"}},
+                       {"frequency", positive},
+                       {"c_p", positive},
+                       {"c_s", positive}}},
+                     {"required", {"density"}},
+                     {"oneOf", {{{"required", {"young", "poisson"}}}, {{"required", {"c_p", "c_s"}}}}},
                      {"additionalProperties", false}};
   return {{"description", "a named material, or its numbers in SI"}, {"oneOf", {{{"enum", names}}, numbers}}};
 }

@@ -134,6 +134,26 @@ class Material:
         object.__setattr__(self, "loss_time", loss_time)
         self._set_relaxation(choice("young_is", young_is, ("instantaneous", "relaxed")))
 
+    @classmethod
+    def of_wave_speeds(cls, c_p: float, c_s: float, density: float, **its: Any) -> Material:
+        """Make a material of the speeds of its waves, as ultrasound measures them.
+
+        E = ρc_s²(3c_p² − 4c_s²)/(c_p² − c_s²), ν = (c_p² − 2c_s²)/2(c_p² − c_s²).
+
+        Parameters:
+            c_p (float): Speed of longitudinal waves, m/s, above √(4/3) c_s.
+            c_s (float): Speed of transverse waves, m/s.
+            density (float): ρ, kg/m³.
+            **its: All else, as of `Material`.
+
+        Examples:
+            >>> steel = stoss.Material.of_wave_speeds(5900, 3200, 7850)
+            >>> f"{steel.young:.3g}", round(steel.poisson, 3)
+            ('2.07e+11', 0.292)
+        """
+        young, poisson = _core.material_of_wave_speeds(number("c_p", c_p), number("c_s", c_s), number("density", density))
+        return cls(young=young, poisson=poisson, density=density, **its)
+
     def __repr__(self) -> str:
         return f"Material({', '.join(f'{name}={brief(value)}' for name, value in self._words().items())})"
 

@@ -41,7 +41,8 @@ Material material_of_numbers(const std::string& where, const Json& given) {
     return [&place](const std::string& of, const Json& value) { place = number(of, value); };
   };
   using Read = std::function<void(const std::string& of, const Json& value)>;
-  const std::array<std::pair<const char*, Read>, 10> keys{{
+  double c_p = 0.0, c_s = 0.0;
+  const std::array<std::pair<const char*, Read>, 12> keys{{
       {"young", needed(material.young)},
       {"poisson", needed(material.poisson)},
       {"density", needed(material.density)},
@@ -53,9 +54,15 @@ Material material_of_numbers(const std::string& where, const Json& given) {
       {"young_is", [&](const std::string& of, const Json& value) { relaxed = is_relaxed(of, value); }},
       {"quality", optional(material.quality)},
       {"frequency", needed(material.frequency)},
+      {"c_p", needed(c_p)},
+      {"c_s", needed(c_s)},
   }};
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!given.contains(keys[i].first)) refuse(where, given, "the numbers young, poisson and density, or a name");
+  const bool of_speeds = given.contains("c_p") && given.contains("c_s");
+  for (std::size_t i = of_speeds ? 2 : 0; i < 3; ++i) {
+    if (!given.contains(keys[i].first)) refuse(where, given, "young (or c_p, c_s), poisson and density, or a name");
+  }
+  if (of_speeds && (given.contains("young") || given.contains("poisson"))) {
+    throw InvalidInput::conflict(where + " young", "c_p and c_s give it, and poisson", "leave it out, or them");
   }
   std::string names;
   for (const auto& [name, read] : keys) names += (names.empty() ? "" : ", ") + std::string(name);
@@ -64,6 +71,10 @@ Material material_of_numbers(const std::string& where, const Json& given) {
         std::find_if(keys.begin(), keys.end(), [&n = name](const auto& of) { return n == of.first; });
     if (key == keys.end()) refuse(where, name, names);
     key->second(where + " " + name, value);
+  }
+  if (of_speeds) {
+    const Material its = material_of_wave_speeds(c_p, c_s, material.density);
+    material.young = its.young, material.poisson = its.poisson;
   }
   if (relaxed) material.young = instantaneous_of_relaxed(material.young, material.relaxation.value_or(Relaxation{}));
   return material;
