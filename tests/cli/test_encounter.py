@@ -143,7 +143,7 @@ def test_spaces_around_keys_and_numbers_do_not_count(stoss):
 
 def test_help_says_how_layers_are_given(stoss):
     said = " ".join(stoss.run("restitution --help").stdout.split())
-    assert "keys thickness, poisson, young, density, loss_time, quality, roughness, u0, coat, coat_young, coat_poisson, coat_quality, yield_strength, yield_hardening, yield_rate, relaxation, young_is, material and" in said
+    assert "keys thickness, poisson, young, density, loss_time, quality, roughness, u0, coat, coat_young, coat_poisson, coat_quality, yield_strength, yield_hardening, yield_rate, relaxation, young_is, material, c_p, c_s and" in said
     assert "and layers below, as /KEY=NUMBER,... (the last may be a block)" in said
 
 

@@ -39,6 +39,8 @@ def swept(bodies, speed):
         return stoss.sweep(grid, store=store)
 
 
+DROPS = {"speed": [0.5, 1.0], "contact_time": [6e-5, 5.2e-5], "contact_time_uncertainty": [1e-6, 1e-6]}
+
 RESULTS = {
     "restitution": (lambda: stoss.restitution(poisson=0.33, speed=0.1),
      "restitution --body disk --poisson 0.33 --speed 0.1"),
@@ -157,6 +159,7 @@ RESULTS = {
     "row of rods": (lambda: stoss.row_impact([stoss.Rod(), stoss.Rod(length=2)], speed=[0.1], cutoff=8), None),
     "row ringing": (
         lambda: stoss.row([stoss.Sphere(poisson=0.3)] * 2, speed=[0.1], vibration=RINGS, tolerance=1e-2), None),
+    "calibrate": (lambda: stoss.calibrate(DROPS, BALL, unknown="radius"), None),
     "fit": (lambda: stoss.fit(BALL, law="linear", speed=(1, 9)), None),
 }  # fmt: skip
 

@@ -149,7 +149,7 @@ class Material:
         Examples:
             >>> steel = stoss.Material.of_wave_speeds(5900, 3200, 7850)
             >>> f"{steel.young:.3g}", round(steel.poisson, 3)
-            ('2.07e+11', 0.292)
+            ('2.08e+11', 0.292)
         """
         young, poisson = _core.material_of_wave_speeds(number("c_p", c_p), number("c_s", c_s), number("density", density))
         return cls(young=young, poisson=poisson, density=density, **its)

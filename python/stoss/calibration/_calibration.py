@@ -11,12 +11,12 @@ from typing import Any, ClassVar, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss._arguments import boolean, instance, optional_number, refusal
+from stoss._arguments import boolean, instance, number, refusal
 from stoss._documentation import documented
 from stoss.bodies._bodies import BODIES, PARTNERS, Body, shown
 from stoss.bodies._encounter import Against, choose_against
 from stoss.bodies._material import Material
-from stoss.bodies._solid import describe
+from stoss.bodies._solid import describe, own_number
 from stoss.calibration._constants import Meeting, Unknowns, unknowns_of
 from stoss.export._tables import plain, with_error
 from stoss.results._progress import waiting
@@ -71,16 +71,6 @@ class Calibration(Result):
             without degrees of freedom.
         not_told_apart: What these data do not tell apart, a sentence each.
         notes: Further remarks, such as whether air was taken off.
-
-    Examples:
-        >>> glass = stoss.Material(young=7e10, poisson=0.22, density=2500, quality=100)
-        >>> ball = stoss.Sphere(radius=0.01, material=glass)
-        >>> data = {"speed": [0.5, 1.0], "restitution": [0.975, 0.974], "restitution_uncertainty": [0.001, 0.001]}
-        >>> found = stoss.calibrate(data, ball, unknown="quality")
-        >>> round(found.constants[0].value)
-        46
-        >>> round(float(stoss.predict(found.body, speed=2.0).restitution), 3)
-        0.974
     """
 
     plot = picture("Measured and computed values, with the band of the constants. See `stoss.plot.calibration`.")
@@ -94,7 +84,7 @@ class Calibration(Result):
     air: bool
     constants: tuple[CalibratedConstant, ...]
     correlation: NDArray[np.float64]
-    quantity: NDArray[np.str_]
+    quantity: NDArray[np.object_]
     speed: NDArray[np.float64]
     angle: NDArray[np.float64]
     measured: NDArray[np.float64]
@@ -129,7 +119,7 @@ class Calibration(Result):
         against: Any = self.against
         if not isinstance(against, str):
             against = describe(against) if isinstance(against, PARTNERS) else against._document(1.0)
-        made = plain({field.name: getattr(self, field.name) for field in dataclasses.fields(self)})
+        made: dict[str, Any] = plain({field.name: getattr(self, field.name) for field in dataclasses.fields(self)})
         return made | {
             "encounter": plain({"first": describe(self.body), "against": against}),
             "goodness": self.goodness,
@@ -217,13 +207,26 @@ def calibrate(
     Raises:
         InvalidInput: For ε of 1 and more, fewer values than unknown constants, and constants that the data do not tell.
         NotConverged: If the search does not end.
+
+    Examples:
+        >>> glass = stoss.Material(young=7e10, poisson=0.22, density=2500, quality=100)
+        >>> ball = stoss.Sphere(radius=0.01, material=glass)
+        >>> data = {"speed": [0.5, 1.0], "restitution": [0.975, 0.974], "restitution_uncertainty": [0.001, 0.001]}
+        >>> found = stoss.calibrate(data, ball, unknown="quality")
+        >>> round(found.constants[0].value), round(found.constants[0].uncertainty, 1)
+        (47, 1.3)
+        >>> round(float(stoss.restitution(found.body, speed=2.0).restitution), 3)
+        0.974
     """
     its: Any = instance("body", body, BODIES)
     if its.material is None or getattr(its, "rigid", False):
         raise refusal("body", body, "an elastic body with a material")
     met: Any = "same" if isinstance(against, str) and against == "same" else choose_against(its, against)
-    meeting = Meeting(its, met, optional_number("friction", friction))
-    known = dict(uncertainties or {})
+    mu = None if friction is None else own_number(its, "calibrate", "friction", friction)
+    meeting = Meeting(its, met, mu)
+    if not isinstance(uncertainties, (Mapping, type(None))):
+        raise refusal("uncertainties", uncertainties, "a mapping of names to numbers, as {'young': 0.05}")
+    known = {str(name): number(f"uncertainties {name}", each) for name, each in (uncertainties or {}).items()}
     with waiting(boolean("progress", progress), "calibrate"):
         made: Calibration = _work().found(data, meeting, unknowns_of(unknown, meeting), boolean("air", air), known)
     return made

@@ -8,7 +8,8 @@ from typing import Any, Mapping, Sequence, Union
 
 from stoss._arguments import number, refusal
 from stoss._errors import InvalidInput
-from stoss.bodies._encounter import Against, Body
+from stoss.bodies._bodies import Body
+from stoss.bodies._encounter import Against
 from stoss.bodies._kinds import KINDS
 from stoss.bodies._losses import LOSSES, losses_of
 from stoss.bodies._material import Material
@@ -166,6 +167,8 @@ def unknowns_of(given: Unknowns, meeting: Meeting) -> list[Constant]:
     """What is unknown, with values to begin with. Refuses what the bodies do not have."""
     if isinstance(given, str):
         given = [given]
+    if not isinstance(given, (Mapping, Sequence)):
+        raise refusal("unknown", given, "names of constants")
     names = given if isinstance(given, Mapping) else dict.fromkeys(given)
     if not 1 <= len(names) <= MOST:
         raise refusal("unknown", list(names), f"one to {MOST} names")

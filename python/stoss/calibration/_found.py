@@ -33,11 +33,12 @@ def found(given: Any, meeting: Meeting, unknowns: list[Constant], air: bool, kno
     return _made(data, unknowns, solution, held_by(search, solution, unknowns, names), flight)
 
 
-def _flight(body: Any, air: bool) -> Flight | None:
+def _flight(body: object, air: bool) -> Flight | None:
     """Of a sphere; its size and mass are those that were given, whatever is sought."""
     if not isinstance(body, Sphere):
         return None
-    return Flight(body.radius, body.density, air)
+    radius: float = getattr(body, "radius")
+    return Flight(radius, body.density, air)
 
 
 def _require_told(data: Data, meeting: Meeting, unknowns: list[Constant]) -> None:
@@ -79,7 +80,12 @@ def _made(
     values = np.exp(solution.logs)
     constants = tuple(
         CalibratedConstant(
-            each.name, *map(float, (value, value * own, value * other, value * numerical)), unit_of(each.name)
+            name=each.name,
+            value=float(value),
+            uncertainty=float(value * own),
+            by_constants=float(value * other),
+            numerical=float(value * numerical),
+            unit=unit_of(each.name),
         )
         for each, value, own, other, numerical in zip(unknowns, values, deviation, by_held, solution.numerical)
     )
@@ -91,7 +97,7 @@ def _made(
         air=bool(flight and flight.air),
         constants=constants,
         correlation=correlation,
-        quantity=data.quantity,
+        quantity=data.quantity.astype(object),
         speed=data.speed,
         angle=data.angle,
         measured=data.value,

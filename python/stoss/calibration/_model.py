@@ -83,7 +83,7 @@ class Impacts:
             body, against = real(meeting, 0.0)
             speed, angle = self._data.speed[self._oblique], self._data.angle[self._oblique]
             with _silence():
-                how = {"friction": meeting.friction, "tolerance": TOLERANCE_OF_SLIDING}
+                how: dict[str, Any] = {"friction": meeting.friction, "tolerance": TOLERANCE_OF_SLIDING}
                 found = oblique(body, against=against, speed=speed, angle=angle, **how)
             values[self._oblique] = found.tangential_restitution
             errors[self._oblique] = found.tangential_restitution_error
@@ -113,7 +113,7 @@ def _cheap(body: Any, against: Any, speed: float, duration: float) -> dict[str, 
     cutoff = encounter(body, met).usual_cutoff(float(own), COARSE)
     if isinstance(met, UNBOUNDED):
         cutoff = min(cutoff, max(RADIANS / duration, 1.0))
-    how = {"speed": float(speed), "cutoff": float(cutoff)}
+    how: dict[str, Any] = {"speed": float(speed), "cutoff": float(cutoff)}
     if isinstance(body, (Disk, Sphere)):
         with _silence():
             how["nodes"] = impact(body, against=against, **how).nodes

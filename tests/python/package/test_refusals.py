@@ -23,6 +23,10 @@ FUNCTION = stoss.restitution_function(BALL, speed=(0.05, 0.1), error=0.05)
 PAIRS = stoss.pair_table(poisson=0.33, speed=(0.05, 0.1), ratio=(1, 1.2), error=0.05)
 METAL = {"young": 2e11, "poisson": 0.3, "density": 7850}
 
+GLASS = stoss.Material(young=7e10, poisson=0.22, density=2500, quality=50)
+BALL_OF_GLASS = stoss.Sphere(radius=0.01, material=GLASS)
+DATA = {"speed": [1.0], "restitution": [0.97], "restitution_uncertainty": [0.01]}
+
 # Each function and arguments with which it works; those of the table of inputs by the name of the question.
 ONE, ENDS = {"speed": 0.1}, {"speed": (0.01, 0.1)}
 CALLS = {
@@ -32,6 +36,7 @@ CALLS = {
     "predict": (stoss.predict, {"body": DROP, **ONE}),
     "impact": (stoss.impact, {"body": BALL, **ONE, "cutoff": 6}),
     "bounce": (stoss.bounce, {"body": BALL, **ONE, "count": 2, "flight_time": 30}),
+    "calibrate": (stoss.calibrate, {"data": DATA, "body": BALL_OF_GLASS, "unknown": "quality"}),
     "fit": (stoss.fit, {"body": BALL, "law": "linear", **ENDS}),
     "function": (stoss.restitution_function, {"body": BALL, **ENDS, "error": 0.05}),
     "pair table": (stoss.pair_table, {"body": BALL, **ENDS, "ratio": (1, 1.2), "error": 0.05}),
@@ -81,6 +86,7 @@ RANGES = {
     "young": [0, -1], "density": [0, -1], "yield_strength": [-1], "loss_time": [-1], "surface_energy": [-0.1, 2e6],
     "quality": [1, -10, (0, 1), (10, nan)], "relaxation": [[(0.7, 1), (0.6, 1)], [0.5], 1, [(0.5, -1)]], "every": [0, -1], ("field", "time"): [1.1e4, [1, -inf]], "time": [1.1e4],
     ("measurement", "frequency"): [[1, 1, 2], [-1, 1, 2]], ("material", "frequency"): [0, -1],
+    "data": [0.1, None, {}, {"speed": [1.0]}], "unknown": ["hardness", [], 0.1],
     "storage": [[0, 1, 2]], "loss": [[1, -1, 2]], "c1": [-1], "c2": [0], "reference": [1e7],
     ("shift", "temperature"): [-40],
     "radius": [-0.1, 1.1, []], "distance": [-0.1], "flight": [-1], "duration": [0], "rate": [10], "slower": [-1],
@@ -108,9 +114,9 @@ SINGLE = {"cutoff", "tolerance", "absolute", "step", "half_width", "error", "str
  "flight_time",
           "gravity", "adhesion", "highest", "circumference", "flight", "until"}  # fmt: skip
 CHOICES = {"young_is", "tail", "beyond", "law", "program", "method", "contact"}
-NOT_NUMBERS = {"body": BODIES, "against": [*BODIES, stoss.Rod, HIT], "progress": FLAGS, "state": [0.1, "ringing",
+NOT_NUMBERS = {"air": FLAGS, "body": BODIES, "against": [*BODIES, stoss.Rod, HIT], "progress": FLAGS, "state": [0.1, "ringing",
  [None]]}
-OTHERS = {"keep", "rods", "uncertainties", "spectrum", "quality"}  # of which only RANGES says what is wrong
+OTHERS = {"data", "unknown", "keep", "rods", "uncertainties", "spectrum", "quality"}  # of which only RANGES says what is wrong
 AS_WRITTEN = {"spectrum": "(spectrum|energy)", "quality": "(quality|frequency)", "of": "(of|body)", "rods": "rods?",
  "keep": "keep",
               "state": "(state|energy|vibration)", "y": "(y|distance)", "speed": "(speed|range)"}  # fmt: skip

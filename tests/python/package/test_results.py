@@ -55,7 +55,7 @@ def test_repr_is_a_line_that_says_the_essential(result):
     if hasattr(result, "restitution") and np.ndim(result.restitution) == 0:
         shown = float(text.partition("restitution ")[2].split()[0].rstrip(",)"))
         assert abs(shown - result.restitution) < 0.005
-    assert str(result) == text or isinstance(result, stoss.Fit)  # whose text is what it writes
+    assert str(result) == text or isinstance(result, (stoss.Fit, stoss.Calibration))  # whose text is what it writes
 
 
 def test_identity_is_equality(result):
