@@ -33,6 +33,13 @@ double first_half_width(const Contact& contact, double speed, double pushing) {
   return std::min(std::sqrt(touching * touching + beyond), greatest_half_width(contact));
 }
 
+/// Step in which asperities are pressed by a share of their length. Where they are long, forces change slowly, and are
+/// too soft to drive the modes within a step.
+double step_of_asperities(const Contact& contact, double speed) {
+  constexpr double share = 0.2;
+  return std::min(share * contact.asperities / speed, 1.0 / contact.cutoff);
+}
+
 int fewest_nodes(const Contact& contact) {
   const int first = contact.first->sampling.fewest;
   return contact.second == nullptr ? first : std::max(first, contact.second->sampling.fewest);
@@ -73,7 +80,7 @@ double known_half_width(const Contact& contact, double speed, const Impact& coar
 
 Resolution refined_resolution(const Contact& contact, double speed, double half_width) {
   Resolution resolution;
-  resolution.step = std::min(0.5 / contact.cutoff, contact.stable_step);
+  resolution.step = std::max(std::min(0.5 / contact.cutoff, contact.stable_step), step_of_asperities(contact, speed));
   if (has_single_point(contact)) return resolution;
   constexpr double fewest_steps = 1000.0;  // of a contact that turns at its deepest with a bend
   if (contact.yield.yield > 0.0)

@@ -71,6 +71,37 @@ void multiply_transposed(const double* matrix, std::size_t stride, std::size_t r
 void add_transposed(const double* matrix, std::size_t stride, std::size_t rows, std::size_t count, const double* x,
                     double* result);
 
+/// Σ a[i] b[i] for i < count.
+[[nodiscard]] double dot(const double* a, const double* b, std::size_t count);
+
+/// Takes the product of the transpose of a row-major matrix with a vector: result[i] −= Σ_{j<rows} matrix[j][i] x[j]
+/// for i < count.
+void take_transposed(const double* matrix, std::size_t stride, std::size_t rows, std::size_t count, const double* x,
+                     double* result);
+
+/// Nodes with asperities between smooth edges: f = f* eᵗ, g = reach − u₀ t + edge (1 − min(τ, 1))² with τ = √(f/f_e).
+struct RoughNodes {
+  double* closure;    ///< t
+  double* force;      ///< f
+  double* root;       ///< τ
+  double* gap;        ///< g
+  double* stiffness;  ///< −dg/df
+  const double* reach;
+  const double* edge;
+  double asperities;  ///< u₀
+};
+
+/// The largest |change[i]|/force[i] for i < count.
+[[nodiscard]] double largest_share(const double* change, const double* force, std::size_t count);
+
+/// Adds changes of up to `most_of_force` of it to the force of each node, to rounding.
+inline constexpr double most_of_force = 0.02;
+void add_forces(const RoughNodes& nodes, std::size_t count, const double* change);
+
+/// Adds changes of up to `most_of_closure` to the closure of each node, to rounding.
+inline constexpr double most_of_closure = 0.25;
+void add_closures(const RoughNodes& nodes, std::size_t count, const double* change);
+
 /// result[i] = scale · x[i] for i < count.
 void scale(double scale, const double* x, std::size_t count, double* result);
 

@@ -45,9 +45,9 @@ struct OnFaces {
 };
 
 // Of what is lost: over n² of edges, as far as asperities do not smear them out, and of what coats take; over (h/a)⁴ of
-// asperities. 144 impacts with 16 to 128 nodes, and reference_faces.csv (numerics, 16; 2026-11-29).
+// asperities. 144 impacts with 16 to 128 nodes, and reference_faces.csv (numerics, 16; 2026-11-29, c₄ 2026-11-30).
 inline constexpr OnFaces nodes_of_edges{0.3, 0.05}, nodes_of_coats{3.0, 0.3};
-inline constexpr OnFaces nodes_of_asperities{1.0, 0.2}, nodes_of_asperities_on_a_line{0.3, 0.1};
+inline constexpr OnFaces nodes_of_asperities{4.0, 0.2}, nodes_of_asperities_on_a_line{0.3, 0.1};
 inline constexpr double nodes_of_lossy_coats = 6.0;
 // Of force and time, over n²; of the compression, over h²/R: the same.
 inline constexpr double nodes_of_pulse = 0.05, spacing_of_balls = 0.026, spacing_on_a_line = 0.013;

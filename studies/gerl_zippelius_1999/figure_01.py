@@ -81,6 +81,7 @@ def compute(quick: bool) -> Tables:
             "restitution": np.array([each.restitution for each in few]),
         },
         "beyond": {"speed[c]": np.array(BEYOND), "restitution": np.asarray(beyond.restitution)},
+        "soft": _table([_row(stoss.restitution(poisson=nu, speed=v, against=wall, tolerance=tolerance))]),
         "half_speed": _table([_row(stoss.restitution(poisson=nu, speed=0.5 * v, tolerance=tolerance))]),
     }
 
@@ -154,6 +155,9 @@ def numbers(tables: Tables) -> list[Row]:
     rows.append((reading, "≈ 0.65", NONE, measured(half["restitution"][0], half["restitution_error"][0])))
     for n, value in zip(few["modes"], few["restitution"]):
         rows.append((f"ε at ν = 0.9, v = 0.3 c, αR = 500, the {n} lowest modes", "≈ 0.65", f"{value:.3f}", NONE))
+    soft = tables["soft"]
+    name = "ε at ν = 0.9, v = 0.3 c, αR = 500, all modes (N → ∞)"
+    rows.append((name, "≈ 0.65", NONE, measured(soft["restitution"][0], soft["restitution_error"][0])))
     best = tables["selected"]
     name = f"ε at ν = 0.9, v = 0.3 c, the modes ranked by energy in a run with {best['pool'][0]}, as the paper does"
     rows.append((name, "≈ 0.65", measured(best["restitution"][0], best["restitution_error"][0]), NONE))

@@ -18,20 +18,38 @@ Restitution at_rough_wall(const BodyMaker& body, double asperities, double speed
                      {.tolerance = tolerance, .absolute = 0.0});
 }
 
-// Spectral finite elements, pressure over the projected area (R = ρ = E = 1): what a ball loses, and its error.
-TEST(Roughness, BallsLoseWhatFiniteElementsSay) {
+// Spectral finite elements without modes, cutoff or law of an edge (tests/data/make_rough_restitution.py): to a tenth
+// of what is asked for by default, and within the error of nearly all.
+TEST(Roughness, BallsAndDisksLoseWhatFiniteElementsSay) {
+  int met = 0;
+  for (const auto& row : test::read_csv("rough_restitution.csv")) {
+    const bool ball = row.text("body") == "ball";
+    const double poisson = row.number("poisson"), speed = row.number("speed"), its = row.number("lost_fraction");
+    const double length = row.number("asperities"), mass = ball ? 4.0 / 3.0 * std::acos(-1.0) : std::acos(-1.0);
+    SCOPED_TRACE(::testing::Message() << row.text("body") << " " << poisson << ", " << speed << ", " << length);
+    for (const double tolerance : {1e-3, 1e-4}) {
+      const Restitution made = at_rough_wall(ball ? sphere(poisson) : disk(poisson), length, speed, tolerance);
+      const double bar = std::hypot(made.lost_fraction.error, row.number("uncertainty"));
+      EXPECT_NEAR(made.lost_fraction.value, its, std::min(2.0 * bar, tolerance * its));
+      const double force = row.number("max_force");  // the largest of those after each step
+      EXPECT_NEAR(made.max_force.value * mass, force, 1e-3 * force + 2.0 * made.max_force.error * mass);
+      EXPECT_NEAR(made.contact_time.value, row.number("contact_time"), 5e-3 * row.number("contact_time"));
+    }
+    ++met;
+  }
+  EXPECT_EQ(met, 7);
+}
+
+// Other ones, with their errors. The first is 2.6 of these off from the value above, 0.0043806: it is not made better
+// here, but counts within three (docs/developer/numerics.md, section 16).
+TEST(Roughness, BallsLoseWhatOtherFiniteElementsSay) {
   struct OfElements {
-    double speed, asperities, lost, error, time, force;
+    double speed, asperities, lost, error;
   };
-  // The first lies 2.6 of the errors that are stated from what is computed, 0.0043804(10). It counts within three of
-  // both errors together, which the statement of its own then has to be widened to: no number is tuned to it.
-  for (const OfElements& its :
-       {OfElements{0.1, 0.02, 0.004396, 6e-6, 8.30, 0.2171}, OfElements{0.1, 0.005, 0.012037, 9e-6, 6.965, 0.2233},
-        OfElements{0.02, 0.005, 0.0003289, 9e-7, 11.84, 0.0309}}) {
+  for (const OfElements& its : {OfElements{0.1, 0.02, 0.004396, 6e-6}, OfElements{0.1, 0.005, 0.012037, 9e-6},
+                                OfElements{0.02, 0.005, 0.0003289, 9e-7}}) {
     const Restitution made = at_rough_wall(sphere(0.3), its.asperities, its.speed);
     EXPECT_NEAR(made.lost_fraction.value, its.lost, 3.0 * std::hypot(its.error, made.lost_fraction.error));
-    EXPECT_NEAR(made.max_force.value * 4.0 / 3.0 * std::acos(-1.0), its.force, 1e-3 * its.force);
-    EXPECT_NEAR(made.contact_time.value, its.time, 0.02 * its.time);
   }
 }
 

@@ -66,7 +66,12 @@ void FactoredCompliance::backward(std::size_t count, const std::vector<double>& 
 
 void FactoredCompliance::multiply(std::size_t begin, std::size_t count, const std::vector<double>& x,
                                   std::vector<double>& result) const {
-  numeric::kernels::multiply_transposed(matrix_.data(), size_, count, begin, size_, x.data(), result.data());
+  multiply(begin, count, size_, x, result);
+}
+
+void FactoredCompliance::multiply(std::size_t begin, std::size_t count, std::size_t end, const std::vector<double>& x,
+                                  std::vector<double>& result) const {
+  numeric::kernels::multiply_transposed(matrix_.data(), size_, count, begin, end, x.data(), result.data());
 }
 
 using Eigen::Index;

@@ -34,6 +34,10 @@ class FactoredCompliance {
   /// Fills rows begin … size − 1 of W x, for x that is 0 from `count` on.
   void multiply(std::size_t begin, std::size_t count, const std::vector<double>& x, std::vector<double>& result) const;
 
+  /// Fills rows begin … end − 1 of it.
+  void multiply(std::size_t begin, std::size_t count, std::size_t end, const std::vector<double>& x,
+                std::vector<double>& result) const;
+
   /// Column j of row i of L, for i − 2 ≤ j ≤ i.
   [[nodiscard]] double lower(std::size_t i, std::size_t j) const { return band_[3 * i + (i - j)]; }
 

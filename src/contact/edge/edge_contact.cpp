@@ -17,9 +17,9 @@ EdgeContact::EdgeContact(std::shared_ptr<const FactoredCompliance> compliance, E
       law_(std::move(law)),
       poll_(std::move(poll)),
       inner_(compliance_->size()),
-      closure_(compliance_->size()),
-      change_(law_.asperities > 0.0 ? compliance_->size() : 0),
-      bend_(change_.size()) {}
+      closure_(compliance_->size()) {
+  if (law_.asperities > 0.0) rough_.emplace(compliance_);
+}
 
 double EdgeContact::half_width() const {
   // By as much the closures of a zone exceed, on average over its place, what lies within the edge.
@@ -36,6 +36,15 @@ bool EdgeContact::overflows() const {
 
 double EdgeContact::energy(const std::vector<double>& force, const std::vector<double>& displacement) const {
   double sum = 0.0;
+  if (rough_) {  // in a form that is stationary in f, as that is known to the accuracy of the iteration
+    std::vector<double> moved(force.size());
+    compliance_->multiply(0, extent_, force, moved);
+    for (std::size_t i = 0; i < extent_; ++i) {
+      const double q = displacement[i] - law_.gap_at(i, closure_[i]);
+      sum += force[i] * (q - 0.5 * moved[i]) + law_.energy_at(i, closure_[i]);
+    }
+    return sum;
+  }
   for (std::size_t i = 0; i < extent_; ++i) {
     sum += 0.5 * force[i] * displacement[i];
     if (!law_.gap.empty()) sum += law_.energy_at(i, closure_[i]) - force[i] * law_.gap_at(i, closure_[i]);
@@ -71,11 +80,12 @@ void EdgeContact::solve(const std::vector<double>& q, std::vector<double>& force
     std::fill(force.begin(), force.end(), 0.0);
     std::fill(displacement.begin(), displacement.end(), 0.0);
     extent_ = rigid_ = 0;
+    if (rough_) rough_->forget();
     return;
   }
   if (law_.gap.empty()) return solve_point(q, force, displacement);
   if (constexpr double rounding = 1e-13;
-      law_.asperities > 0.0 || !solve_edge(q, rounding * scale, force, displacement)) {
+      !(rough_ ? solve_rough(q, force, displacement) : solve_edge(q, rounding * scale, force, displacement))) {
     solve_generally(q, scale, force, displacement);
   }
 }
@@ -183,6 +193,16 @@ bool EdgeContact::solve_edge(const std::vector<double>& q, double tolerance, std
   return false;
 }
 
+bool EdgeContact::solve_rough(const std::vector<double>& q, std::vector<double>& force,
+                              std::vector<double>& displacement) {
+  if (!rough_->solve(law_, q, closure_, force, displacement)) return false;
+  extent_ = rigid_ = 0;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    if (force[i] > 0.0) extent_ = i + 1;
+  }
+  return true;
+}
+
 /// As if each node carried about half of what makes it rigid, if it is not clear of the law by itself.
 void EdgeContact::reset_closures(const std::vector<double>& q) {
   const double own = compliance_->matrix()(0, 0);
@@ -198,18 +218,10 @@ void EdgeContact::solve_generally(const std::vector<double>& q, double scale, st
     const double behind = -q[i];
     closure_[i] = law_.asperities > 0.0 ? law_.first_closure(i, behind, own) : law_.free_closure(i, behind);
   }
-  const std::vector<double> before = closure_;
-  for (std::size_t i = 0; i < change_.size() && i < extent_; ++i) closure_[i] += change_[i] + bend_[i];
   const auto solved = [&] { return solve_all(*compliance_, law_, q, scale, poll_, closure_); };
   if (!solved() && !(reset_closures(q), solved())) {
     throw NotConverged(
         "contact: no forces at the nodes obey the law of contact (another resolution may do; please report the input)");
-  }
-  constexpr double longest = 1e3;
-  for (std::size_t i = 0; i < change_.size(); ++i) {
-    const double change = i < extent_ ? std::clamp(closure_[i] - before[i], -longest, longest) : 0.0;
-    bend_[i] = change == 0.0 || change_[i] == 0.0 ? 0.0 : std::clamp(change - change_[i], -0.5, 0.5);
-    change_[i] = change;
   }
   extent_ = rigid_ = 0;
   for (std::size_t i = 0; i < size; ++i) {

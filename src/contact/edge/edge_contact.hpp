@@ -3,11 +3,13 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "contact/edge/compliance.hpp"
 #include "contact/edge/edge_law.hpp"
 #include "contact/edge/edge_newton.hpp"
+#include "contact/edge/rough_nodes.hpp"
 
 namespace stoss {
 
@@ -61,6 +63,7 @@ class EdgeContact {
  private:
   bool solve_edge(const std::vector<double>& q, double tolerance, std::vector<double>& force,
                   std::vector<double>& displacement);
+  bool solve_rough(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement);
   void solve_generally(const std::vector<double>& q, double scale, std::vector<double>& force,
                        std::vector<double>& displacement);
   void reset_closures(const std::vector<double>& q);
@@ -71,9 +74,9 @@ class EdgeContact {
   std::shared_ptr<const FactoredCompliance> compliance_;
   EdgeLaw law_;
   Poll poll_;
-  std::vector<double> inner_;          // L⁻¹ q; then Lᵀ f
-  std::vector<double> closure_;        // t of each node
-  std::vector<double> change_, bend_;  // of t in the last step of asperities, and of that change
+  std::vector<double> inner_;        // L⁻¹ q; then Lᵀ f
+  std::vector<double> closure_;      // t of each node
+  std::optional<RoughNodes> rough_;  // of asperities
   EdgeZone zone_;
   bool in_zone_ = false;  // the last solution of the zone is one
   std::array<double, 3> closure_before_{};
