@@ -55,7 +55,7 @@ double fastest_time_scale(const Row& row, const std::vector<double>& speeds, con
   const MadeRow probe = made_row(row, speeds, few, poll);
   double fastest = std::numeric_limits<double>::infinity();
   for (const MadeRow::Joint& joint : probe.joints) {
-    const double unit = probe.units[static_cast<std::size_t>(joint.one)].time;
+    const double unit = probe.units_of(joint).time;
     fastest = std::min(fastest, time_scale(*joint.contact) * unit);
   }
   return fastest;
