@@ -18,6 +18,7 @@ namespace {
 struct RowArguments {
   EncounterOptions who{.first = {}, .against = ""};
   std::string document, speed, gap, before;
+  std::vector<std::string> modes;
   int count = 3;
   std::optional<double> until;
   double tolerance = 1e-3;
@@ -57,7 +58,7 @@ GivenRow row_of(const RowArguments& arguments) {
   row.bodies.assign(static_cast<std::size_t>(arguments.count), encounter.first);
   row.wall_before = !arguments.before.empty();
   if (!arguments.who.against.empty()) row.after = encounter.against;
-  row.vibration = encounter.vibration;
+  row.vibration = vibration_of_row(arguments.modes);
   row.gaps = gaps_of(arguments, row, units_of(encounter));
   return row;
 }
@@ -120,8 +121,9 @@ void run(const RowArguments& arguments) {
   write(arguments, row, bodies, result);
   const OutputOptions& output = arguments.output;
   if (result.finest.strain > small_strain_limit) output.warn_of_strain(result.finest.strain);
-  const double fastest = *std::max_element(own.begin(), own.end()) - *std::min_element(own.begin(), own.end());
-  warn_of_materials(output, {.first = row.bodies.front(), .against = row.bodies.back()}, fastest);
+  std::vector<double> work;
+  for (const RowContact& each : result.finest.contacts) work.push_back(each.max_force * each.max_compression);
+  for (const std::string& line : material_warnings(row, work)) output.warn(line);
   if (result.converged) return;
   output.warn(fmt::format("velocities not as accurate as asked for: {}", result.reason));
   throw NotAsAsked{};
@@ -141,7 +143,7 @@ void add_row(CLI::App& app) {
   arguments.who.first.add_poisson_to(command);
   add_input(command, Question::row, "speed", arguments.speed, "Motion");
   arguments.who.add_to(command, "\nHere it stands on the right of the row (default: nothing)");
-  add_modes_to(command, arguments.who.modes);
+  add_modes_of_row_to(command, arguments.modes);
   const char* const group = "Row";
   add_input(command, Question::row, "count", arguments.count, group);
   add_input(command, Question::row, "gap", arguments.gap, group);

@@ -33,6 +33,12 @@ RowResult failed(const Row& row, const std::string& reason) {
 
 }  // namespace
 
+void check(const Row& row, const std::vector<std::vector<double>>& speeds, const RowCurveOptions& options) {
+  require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
+  require_tolerance(options.each);
+  for (const std::vector<double>& each : speeds) (void)fastest_time_scale(row, each, options.each.poll);
+}
+
 void row_curve(const Row& row, const std::vector<std::vector<double>>& speeds, const RowCurveOptions& options,
                const RowCurveObserver& observer) {
   require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");

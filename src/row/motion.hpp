@@ -40,6 +40,9 @@ struct MadeRow {
 
 [[nodiscard]] double total(const RowEnergy& its);
 
+/// @throws InvalidInput for a tolerance out of range
+void require_tolerance(const RowOptions& options);
+
 /// Sets up a row. @param longer than usual, by which factor, what stands at an end is made for
 /// @throws InvalidInput as row_impact
 [[nodiscard]] MadeRow made_row(const Row& row, const std::vector<double>& speeds, double cutoff, const Poll& poll,

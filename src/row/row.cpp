@@ -79,9 +79,9 @@ std::string hopeless(const RowResult& result, const RowImpact& last, const Bars&
   return needed <= 2.0 * highest ? std::string() : "the tolerance needs a cutoff of some " + rounded(needed) + " c/R";
 }
 
-/// Why no higher cutoff helps: the errors do not fall.
-std::string stays(const std::vector<double>& errors) {
-  constexpr std::size_t few = 4;  // half octaves, in which they fall to a quarter or less where they do
+/// Why no higher cutoff helps: the errors do not fall, as they would by far in two octaves of the cutoff, or four.
+std::string stays(const std::vector<double>& errors, double order) {
+  const auto few = static_cast<std::size_t>(std::lround(8.0 / order));  // half octaves
   if (errors.size() <= few || errors.back() <= 0.5 * errors[errors.size() - 1 - few]) return {};
   return "the errors do not fall with the cutoff: bodies that vibrate meet so late that their phase is not known";
 }
@@ -94,9 +94,13 @@ double greatest_error(const RowResult& result) {
 
 }  // namespace
 
-RowResult row(const Row& row, const std::vector<double>& speeds, const RowOptions& options) {
+void require_tolerance(const RowOptions& options) {
   require("tolerance", options.tolerance, ranges::row_tolerance,
           "error of each velocity over the greatest difference of speeds");
+}
+
+RowResult row(const Row& row, const std::vector<double>& speeds, const RowOptions& options) {
+  require_tolerance(options);
   const double scale = fastest_time_scale(row, speeds, options.poll);
   const MadeRow probe = made_row(row, speeds, lowest / scale, options.poll);
   const bool points = has_single_point(*probe.joints.front().contact);
@@ -130,7 +134,7 @@ RowResult row(const Row& row, const std::vector<double>& speeds, const RowOption
     errors.push_back(greatest_error(result));
     result.converged = errors.back() <= wanted;
     if (result.converged) break;
-    result.reason = stays(errors);
+    result.reason = stays(errors, bars.order);
     if (result.reason.empty())
       result.reason = hopeless(result, runs.back(), bars, wanted, lowest / scale * std::exp2(0.5 * (levels - 1)));
     if (!result.reason.empty()) break;
