@@ -14,7 +14,7 @@
 namespace stoss {
 namespace {
 
-constexpr long pause = 16;  // steps between two looks whether all is over
+constexpr long pause = 16, share = 32;  // steps between two looks whether all is over, and over all so far
 
 /// After so long bodies that still may meet are left to their errors: each contact in turn, and as long again for each
 /// to come back from the end of the row; and until all gaps are closed. What is flown at once does not count.
@@ -45,6 +45,7 @@ std::optional<RowImpact> run_once(MadeRow& row, const std::vector<double>& speed
   const bool ends = watch.until <= 0.0;
   const double most = ends ? std::min(most_steps, longest(row) / row.step) : most_steps;
   const double until = ends ? std::numeric_limits<double>::infinity() : watch.until;
+  long next_look = pause;
   motion.observe(watch);
   while (motion.time() < std::min(until, motion.known()) && static_cast<double>(motion.steps()) < most) {
     if (poll) poll();
@@ -61,7 +62,9 @@ std::optional<RowImpact> run_once(MadeRow& row, const std::vector<double>& speed
     }
     if (flies || motion.steps() % watch.every == 0) motion.observe(watch);
     if (ends && motion.is_over()) break;
-    if (ends && motion.steps() % pause == 0 && is_settled(motion, watch.settled * row.fastest)) break;
+    if (!ends || motion.steps() < next_look) continue;
+    if (is_settled(motion, watch.settled * row.fastest)) break;
+    next_look = motion.steps() + std::max(pause, motion.steps() / share);
   }
   motion.catch_up();
   RowImpact result = motion.result();
@@ -99,7 +102,12 @@ RowImpact row_impact(const Row& row, const std::vector<double>& speeds, double c
   for (const MadeRow::Joint& joint : made.joints) {
     result.strain = std::max(result.strain, expected_strain(*joint.contact, joint.speed));
   }
-  require_resolved(result.energy_error);
+  constexpr double most = 1e-2;
+  if (std::abs(result.energy_error) > most) {
+    throw NotConverged("row: " + rounded(result.energy_error) + " of the energy is unaccounted for at the cutoff " +
+                           rounded(cutoff) + " c/R",
+                       "cutoff", "use a higher cutoff");
+  }
   return result;
 }
 

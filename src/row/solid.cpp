@@ -40,9 +40,9 @@ RowSolid::RowSolid(std::shared_ptr<const Body> body, const UnitRatios& units, co
     across = {body_->opposite_compliance(*points[1], *points[0]), body_->opposite_compliance(*points[0], *points[1])};
   across_ = std::make_shared<const Across>(std::move(across));
   next_.resize(force_.size());
-  constexpr double usual = 0.5;  // steps over 1/cutoff
+  constexpr double usual = 0.5;  // steps over 1/cutoff; with shorter ones forces that go on would drive the contact
   const double shorter = step_ * body_->cutoff / usual;
-  lag_ = shorter > 0.5 ? 1.0 : shorter;
+  lag_ = shorter > 0.98 ? 1.0 : shorter;
   if (mode_count(*body_) == 0) return;
   const FaceModes its = face_modes(body_, points);
   groups_ = std::make_shared<const std::vector<ModeGroup>>(its.contact.groups);
