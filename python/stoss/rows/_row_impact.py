@@ -177,7 +177,7 @@ def row_impact(
             neighbours: for equal balls in c/R. The result has it in c/R of the first body.
         until: How long the row is watched after the first contact, R/c of the first body (with materials:
             s). Default: until no bodies can meet any more, or 20 times as long as contacts last.
-        every: Steps between two times.
+        every: Steps between two times. A free flight of all bodies has none but both its ends.
 
     Examples:
         >>> ball = stoss.Sphere(poisson=0.3)
