@@ -12,6 +12,17 @@
 #include "stoss/errors.hpp"
 
 namespace stoss {
+namespace {
+
+std::vector<double> transposed(const std::vector<double>& matrix, std::size_t columns) {
+  std::vector<double> result(matrix.size());
+  const std::size_t rows = matrix.size() / columns;
+  for (std::size_t k = 0; k < matrix.size(); ++k) result[k % columns * rows + k / columns] = matrix[k];
+  return result;
+}
+
+}  // namespace
+
 RowSolid::RowSolid(std::shared_ptr<const Body> body, const UnitRatios& units, const FacePoints& points, double step,
                    double speed)
     : body_(std::move(body)),
@@ -36,8 +47,10 @@ RowSolid::RowSolid(std::shared_ptr<const Body> body, const UnitRatios& units, co
   }
   moved_.resize(force_.size());
   Across across;
-  if (both)
-    across = {body_->opposite_compliance(*points[1], *points[0]), body_->opposite_compliance(*points[0], *points[1])};
+  if (both) {
+    across[0] = body_->opposite_compliance(*points[1], *points[0]);
+    across[1] = transposed(across[0], sides_[0].count);
+  }
   across_ = std::make_shared<const Across>(std::move(across));
   next_.resize(force_.size());
   constexpr double usual = 0.5;  // steps over 1/cutoff; with shorter ones forces that go on would drive the contact
