@@ -1,6 +1,6 @@
 // Do the errors of rows hold? stoss_validate_rows COUNT > docs/results/rows_validation.csv
 //
-// Random rows of two to five spheres or disks, alike or of their own radii and materials, some with gaps, a wall on the
+// Random rows of two to five spheres or disks, alike or of their own radii and materials, some with gaps of 0.01 to 100 R, a wall on the
 // right, or two that move; judged by the motion at the cutoff 91, where it agrees with that at 64 to 2e-5 of the speed.
 #include <algorithm>
 #include <cmath>
@@ -44,7 +44,7 @@ class Cases {
     made.row.wall_after = share() < 0.25;
     const bool apart = share() < 0.3;
     for (int i = 0; apart && i < count - (made.row.wall_after ? 0 : 1); ++i) {
-      made.row.gaps.push_back(share() < 0.5 ? 0.0 : 0.02 * share());
+      made.row.gaps.push_back(share() < 0.5 ? 0.0 : std::pow(10.0, 4.0 * share() - 2.0));
     }
     const double speed = std::exp(std::log(1e-4) + share() * std::log(2e3));
     made.speeds.resize(static_cast<std::size_t>(count));

@@ -17,7 +17,9 @@ namespace {
 
 struct RowArguments {
   EncounterOptions who{.first = {}, .against = ""};
-  std::string document, speed, gap, before;
+  std::string document, gap, before;
+  ApproachOptions approach;
+  std::vector<std::string> modes;
   int count = 3;
   std::optional<double> until;
   double tolerance = 1e-3;
@@ -57,7 +59,7 @@ GivenRow row_of(const RowArguments& arguments) {
   row.bodies.assign(static_cast<std::size_t>(arguments.count), encounter.first);
   row.wall_before = !arguments.before.empty();
   if (!arguments.who.against.empty()) row.after = encounter.against;
-  row.vibration = encounter.vibration;
+  row.vibration = vibration_of_row(arguments.modes);
   row.gaps = gaps_of(arguments, row, units_of(encounter));
   return row;
 }
@@ -106,7 +108,7 @@ void write(const RowArguments& arguments, const GivenRow& row, const std::vector
 void run(const RowArguments& arguments) {
   const GivenRow row = row_of(arguments);
   const Encounter first = first_of(row);
-  std::vector<double> speeds = series_of(input(Question::row, "speed"), arguments.speed, units_of(first));
+  std::vector<double> speeds = arguments.approach.series(units_of(first));
   for (double& each : speeds) each *= speed_unit(first);
   const std::vector<double> own = speeds_in_c(row, speeds);
   catch_interrupts();
@@ -120,8 +122,9 @@ void run(const RowArguments& arguments) {
   write(arguments, row, bodies, result);
   const OutputOptions& output = arguments.output;
   if (result.finest.strain > small_strain_limit) output.warn_of_strain(result.finest.strain);
-  const double fastest = *std::max_element(own.begin(), own.end()) - *std::min_element(own.begin(), own.end());
-  warn_of_materials(output, {.first = row.bodies.front(), .against = row.bodies.back()}, fastest);
+  std::vector<double> work;
+  for (const RowContact& each : result.finest.contacts) work.push_back(each.max_force * each.max_compression);
+  for (const std::string& line : material_warnings(row, work)) output.warn(line);
   if (result.converged) return;
   output.warn(fmt::format("velocities not as accurate as asked for: {}", result.reason));
   throw NotAsAsked{};
@@ -136,12 +139,13 @@ void add_row(CLI::App& app) {
       "  stoss row --body sphere --poisson 0.3 --count 3 --speed 0.1\n"
       "  stoss row --body sphere --material 'bearing steel' --radius 0.01 --count 5 --speed 0.5,0.5\n"
       "  stoss row --body disk --poisson 0.3 --count 2 --speed 0.01,0.01 --against wall --gap 0.001\n"
+      "  stoss row --body sphere --material rubber --radius 0.02 --count 2 --height 1,1 --against wall\n"
       "  stoss row --bodies balls.json --speed 1 --format json");
   CLI::App& command = *arguments.command;
   arguments.who.first.add_poisson_to(command);
-  add_input(command, Question::row, "speed", arguments.speed, "Motion");
+  arguments.approach.add_to(command, Question::row, "Motion");
   arguments.who.add_to(command, "\nHere it stands on the right of the row (default: nothing)");
-  add_modes_to(command, arguments.who.modes);
+  add_modes_of_row_to(command, arguments.modes);
   const char* const group = "Row";
   add_input(command, Question::row, "count", arguments.count, group);
   add_input(command, Question::row, "gap", arguments.gap, group);

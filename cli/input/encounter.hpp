@@ -115,6 +115,10 @@ void add_modes_to(CLI::App& command, std::vector<std::string>& modes);
 /// @throws InvalidInput for what is no mode
 [[nodiscard]] Vibration vibration_of(const std::vector<std::string>& modes);
 
+/// The same for the bodies of a row by their numbers.
+void add_modes_of_row_to(CLI::App& command, std::vector<std::string>& modes);
+[[nodiscard]] Vibration vibration_of_row(const std::vector<std::string>& modes);
+
 /// How the bodies of an ensemble vibrate on average: --temperature and --highest, or --spectrum.
 struct SpectrumArguments {
   std::optional<double> temperature;

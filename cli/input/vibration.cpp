@@ -26,6 +26,7 @@ Oscillation parse_mode(const std::string& option, const std::vector<std::string>
   std::optional<double> energy;
   for (const auto& [key, value] : parse_keys(option, parts, 2, keys)) {
     if (key == "energy") energy = parse_number(option + " energy", value);
+    if (key == "body") mode.body = parse_integer(option + " body", value);
     if (key == "phase") mode.phase = parse_number(option + " phase", value);
     if (key != "of") continue;
     const std::string body = without_spaces(value);
@@ -59,6 +60,19 @@ void add_modes_to(CLI::App& command, std::vector<std::string>& modes) {
 
 Vibration vibration_of(const std::vector<std::string>& modes) {
   return parse_modes("mode", {"energy", "phase", "of"}, modes);
+}
+
+void add_modes_of_row_to(CLI::App& command, std::vector<std::string>& modes) {
+  add(command, "--mode", modes,
+      "A mode that vibrates before, once for each: order n and index l as\n"
+      "stoss modes has them, its energy as a share of that of all centres,\n"
+      "its phase in radians at the start (default: 0), and the number of the\n"
+      "body from the left, from 0 (default: 0)",
+      "N,L,energy=SHARE[,phase=PHI][,body=NUMBER]", "Vibration");
+}
+
+Vibration vibration_of_row(const std::vector<std::string>& modes) {
+  return parse_modes("mode", {"energy", "phase", "body"}, modes);
 }
 
 Vibration SpectrumArguments::means() const { return parse_modes("spectrum", {"energy", "of"}, modes); }

@@ -131,6 +131,11 @@ void bind_row(py::module_& module) {
   def(module, "given_row", {"document"}, [](const std::string& document) { return row_from_json(document); });
   def(handle, "to_json", [](const GivenRow& self) { return to_json(self); });
   def(handle, "speed_unit", [](const GivenRow& self) { return speed_unit(first_of(self)); });
+  def(handle, "check", {"speeds", "tolerance"}, [](const GivenRow& self, const Doubles& speeds, double tolerance) {
+    check(row_of(self), cases_of(self, speeds), {.each = {.tolerance = tolerance, .poll = signal_poll()}});
+  });
+  def(handle, "material_warnings", {"work"},
+      [](const GivenRow& self, const Doubles& work) { return material_warnings(self, to_vector(work)); });
   def(handle, "curve", {"speeds", "tolerance", "threads", "rows", "velocities", "contacts", "reasons", "tick"}, &cases);
   def(handle, "motion", {"speeds", "cutoff", "until", "every"}, &watched);
 }

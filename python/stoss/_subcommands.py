@@ -122,7 +122,9 @@ def _tell_missing(result: Sweep) -> None:
     for i, j, *places in absent[:5].tolist():
         at = zip(grid.axes.items(), places)
         point = ", ".join(f"{name} {axis[k]:.6g}{_unit(result, name)}" for (name, axis), k in at)
-        say(f"stoss: missing: {grid.bodies[i]!r} against {grid.against[j]['kind']}, {point}")
+        case = grid.cases()[i * len(grid.against) + j]
+        what = repr(case.against) if "number" in grid.axes else f"{case.body!r} against {grid.against[j]['kind']}"
+        say(f"stoss: missing: {what}, {point}")
     if len(absent) > 5:
         say(f"stoss: missing: … and {len(absent) - 5} more")
     text = f"stoss: warning: {len(absent)} of {result.computed.size} values are missing (fill values in the file)"

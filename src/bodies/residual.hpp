@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "numeric/kernels.hpp"
 #include "stoss/bodies/round.hpp"
 #include "stoss/body/body.hpp"
 #include "stoss/poll.hpp"
@@ -120,21 +121,27 @@ class Residual {
     const int orders = std::max(enough, 3 * kept_.orders());
     typename Shape::Loads mine(here), others(there);
     std::vector<double> sum(here.count * there.count);
-    for (int n = 0; n < orders; ++n, mine.advance(), others.advance()) {
-      Flexibility r = Shape::static_flexibility(poisson_, n);
-      if (n < kept_.orders()) {
-        r.radial -= kept_.compliance(n).radial;
-        r.mixed -= kept_.compliance(n).mixed;
-        r.tangential -= kept_.compliance(n).tangential;
-      }
-      const double late = std::max(0.0, 2.0 * n / orders - 1.0);
-      const double weight = (n % 2 == 0 ? 1.0 : -1.0) * std::pow(std::cos(0.5 * std::numbers::pi * late), 2);
-      for (std::size_t i = 0, at = 0; i < here.count; ++i) {
-        const double radial = weight * (r.radial * mine.radial(i) + r.mixed * mine.tangential(i));
-        const double tangential = weight * (r.mixed * mine.radial(i) + r.tangential * mine.tangential(i));
-        for (std::size_t j = 0; j < there.count; ++j, ++at) {
-          sum[at] += radial * others.radial(j) + tangential * others.tangential(j);
+    // Several orders at a time, so that each element of the sum is taken up once for them.
+    constexpr std::size_t block = 8, rows = 2 * block;
+    std::vector<double> push(rows * here.count);    // of each of mine
+    std::vector<double> moved(rows * there.count);  // the others, by each order radially and tangentially
+    for (int first = 0; first < orders; first += static_cast<int>(block)) {
+      for (std::size_t b = 0; b < block; ++b, mine.advance(), others.advance()) {
+        const int n = first + static_cast<int>(b);
+        const Flexibility r = n < orders ? opposite_share(n, orders) : Flexibility{};
+        for (std::size_t i = 0; i < here.count; ++i) {
+          const double radial = mine.radial(i), tangential = mine.tangential(i);
+          push[i * rows + 2 * b] = r.radial * radial + r.mixed * tangential;
+          push[i * rows + 2 * b + 1] = r.mixed * radial + r.tangential * tangential;
         }
+        for (std::size_t j = 0; j < there.count; ++j) {
+          moved[2 * b * there.count + j] = others.radial(j);
+          moved[(2 * b + 1) * there.count + j] = others.tangential(j);
+        }
+      }
+      for (std::size_t i = 0; i < here.count; ++i) {
+        numeric::kernels::add_transposed(moved.data(), there.count, rows, there.count, push.data() + i * rows,
+                                         sum.data() + i * there.count);
       }
     }
     for (double& each : sum) each /= Shape::mass;
@@ -147,6 +154,19 @@ class Residual {
   }
 
  private:
+  /// (−1)^n R_n, faded out over the last half of some orders.
+  [[nodiscard]] Flexibility opposite_share(int n, int orders) const {
+    Flexibility r = Shape::static_flexibility(poisson_, n);
+    if (n < kept_.orders()) {
+      r.radial -= kept_.compliance(n).radial;
+      r.mixed -= kept_.compliance(n).mixed;
+      r.tangential -= kept_.compliance(n).tangential;
+    }
+    const double late = std::max(0.0, 2.0 * n / orders - 1.0);
+    const double weight = (n % 2 == 0 ? 1.0 : -1.0) * std::pow(std::cos(0.5 * std::numbers::pi * late), 2);
+    return {weight * r.radial, weight * r.mixed, weight * r.tangential};
+  }
+
   double poisson_;
   int highest_order_;  // in the second moment
   KeptSums kept_;

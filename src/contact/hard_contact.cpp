@@ -150,6 +150,18 @@ const std::vector<double>& RadiatingTail::advance(const std::vector<double>& pos
   return force_;
 }
 
+bool RadiatingTail::is_still(double negligible) const {
+  return at_rest_ || (contact_.extent() == 0 && residuals_.is_still(displacement_, negligible));
+}
+
+/// Without losses it is as if nothing had touched.
+void RadiatingTail::rest(double time) {
+  if (at_rest_) return;
+  residuals_.rest(time);
+  at_rest_ = !lossy_;
+  if (at_rest_) std::fill(displacement_.begin(), displacement_.end(), 0.0);
+}
+
 std::array<double, 2> RadiatingTail::dissipated_energy() const {
   if (!lossy_) return {};
   const auto [first, second] = residuals_.dissipated();

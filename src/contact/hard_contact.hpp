@@ -91,6 +91,9 @@ class RadiatingTail final : public HardContact {
   /// A released node swings back through its rest position, but never as far as it was displaced.
   [[nodiscard]] double protrusion() const override { return largest_displacement(); }
 
+  [[nodiscard]] bool is_still(double negligible) const override;
+  void rest(double time) override;
+
  private:
   [[nodiscard]] double held_by_asperities() const;
 

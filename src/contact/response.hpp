@@ -70,6 +70,12 @@ class ContactResponse {
   /// Contact is counted while the total force exceeds this.
   [[nodiscard]] virtual double contact_threshold() const { return 0.0; }
 
+  /// Whether nothing in it moves any more by itself, to a displacement that is negligible: only then it may rest.
+  [[nodiscard]] virtual bool is_still(double /*negligible*/) const { return false; }
+
+  /// Goes on for some time in which no node comes within its range.
+  virtual void rest(double /*time*/) {}
+
   /// Distance in front of first contact beyond which no force acts that counts.
   [[nodiscard]] virtual double range() const = 0;
 

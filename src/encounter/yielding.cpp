@@ -92,11 +92,15 @@ bool yields(const Encounter& encounter) {
 }
 
 std::string yield_warning(const Encounter& encounter, double speed) {
+  return yield_warning(encounter, speed, "you asked for");
+}
+
+std::string yield_warning(const Encounter& encounter, double speed, const std::string& whose) {
   const std::optional<double> onset = yield_speed(encounter);
   if (yields(encounter) || !onset || speed <= *onset) return {};
   constexpr double well_beyond = 3.0;  // there yielding takes a tenth of the energy and more
   const double ratio = speed / *onset;
-  return "the " + weaker_of(encounter) + " yields above " + rounded_to(3, *onset) + " m/s (you asked for " +
+  return "the " + weaker_of(encounter) + " yields above " + rounded_to(3, *onset) + " m/s (" + whose + " " +
          rounded_to(4, speed) + " m/s, " + times(ratio) + " times that): the real rebound is " +
          (ratio > well_beyond ? "much " : "") + "lower; give a yield_strength, or use stoss predict";
 }

@@ -102,19 +102,6 @@ void KeptModes::advance() {
   kernels::advance(view(), tables_->begin.data(), tables_->blocks(), push_.data(), edge_.data());
 }
 
-KeptModes KeptModes::in_flight(std::shared_ptr<const ModeTables> steps) const {
-  KeptModes flight(std::move(steps));
-  flight.a_ = a_;
-  flight.edge_ = edge_;
-  for (std::size_t g = 0; g < tables_->size.size(); ++g) {
-    for (std::size_t l = 0; l < tables_->size[g]; ++l) {
-      const std::size_t k = tables_->position(g, l);
-      flight.b_[k] = velocity(g, l);
-    }
-  }
-  return flight;
-}
-
 void KeptModes::add_displacement(std::vector<double>& position) {
   std::fill(amplitude_.begin(), amplitude_.end(), 0.0);
   for (const auto [at, row, length] : tables_->runs) {

@@ -36,6 +36,9 @@ class KeptModes {
   /// The same modes now, with no force due, in steps of another length. Of bodies that lose nothing.
   [[nodiscard]] KeptModes in_flight(std::shared_ptr<const ModeTables> steps) const;
 
+  /// Moves freely by any time at once, with no force due.
+  void fly(double time);
+
   [[nodiscard]] double step() const { return tables_->step; }
   [[nodiscard]] std::size_t count() const { return tables_->count; }
 
@@ -85,7 +88,9 @@ class KeptModes {
   [[nodiscard]] double energy_of(std::size_t group, std::size_t index) const;
   template <typename Weight>
   [[nodiscard]] double sum_of_amplitudes(std::size_t begin, std::size_t end, Weight weight) const;
+  void rotate(std::size_t group, std::size_t index, double time);
   // Of bodies that lose energy.
+  void fade(std::size_t group, double time);
   void begin_lossy(std::size_t group);
   void advance_lossy();
   [[nodiscard]] double energy_of_lossy(std::size_t group, std::size_t index) const;

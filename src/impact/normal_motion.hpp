@@ -25,6 +25,9 @@ class NormalMotion {
     compression_ += velocity_ * step_;
   }
 
+  /// Drifts by any time at once, with no force due.
+  void fly(double time) { compression_ += velocity_ * time; }
+
   [[nodiscard]] double compression() const { return compression_; }
   [[nodiscard]] double force() const { return force_; }
   [[nodiscard]] double velocity() const { return velocity_ - 0.5 * force_ * step_ / mass_; }

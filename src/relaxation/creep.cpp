@@ -1,6 +1,7 @@
 #include "relaxation/creep.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stoss {
 
@@ -17,7 +18,7 @@ CreepMemory::CreepMemory(const Creep& creep, double step, std::size_t size)
   for (const auto [fluidity, rate] : creep.terms) {
     const double kept = 1.0 / (1.5 + rate * step);
     terms_.push_back(
-        {fluidity * step * kept, kept, rate / fluidity, std::vector<double>(size), std::vector<double>(size)});
+        {fluidity * step * kept, kept, rate / fluidity, rate, std::vector<double>(size), std::vector<double>(size)});
     share_ += terms_.back().driven;
   }
 }
@@ -45,6 +46,14 @@ void CreepMemory::take(const std::vector<double>& elastic) {
       term.before[i] = term.last[i];
       term.last[i] = now;
     }
+  }
+}
+
+void CreepMemory::fade(double time) {
+  std::fill(elastic_.begin(), elastic_.end(), 0.0);
+  for (Term& term : terms_) {
+    const double kept = std::exp(-term.rate * time);
+    for (std::size_t i = 0; i < elastic_.size(); ++i) term.last[i] *= kept, term.before[i] *= kept;
   }
 }
 

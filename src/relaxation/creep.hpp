@@ -41,6 +41,12 @@ class CreepMemory {
   /// Ends the step with the elastic strain, of which predict() need not be known.
   void take(const std::vector<double>& elastic);
 
+  /// Goes on for some time with no elastic strain.
+  void fade(double time);
+
+  /// The elastic strain d of the last step.
+  [[nodiscard]] const std::vector<double>& elastic() const { return elastic_; }
+
   /// u: what follows d at once, and what has crept.
   [[nodiscard]] std::vector<double> crept() const;
 
@@ -52,6 +58,7 @@ class CreepMemory {
   struct Term {
     double driven, kept;  // fluidity Δt and 1 over 3/2 + rate Δt
     double stiffness;     // rate/fluidity
+    double rate;
     std::vector<double> last, before;
   };
   double glass_, share_;

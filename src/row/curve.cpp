@@ -33,6 +33,12 @@ RowResult failed(const Row& row, const std::string& reason) {
 
 }  // namespace
 
+void check(const Row& row, const std::vector<std::vector<double>>& speeds, const RowCurveOptions& options) {
+  require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
+  require_tolerance(options.each);
+  for (const std::vector<double>& each : speeds) (void)fastest_time_scale(row, each, options.each.poll);
+}
+
 void row_curve(const Row& row, const std::vector<std::vector<double>>& speeds, const RowCurveOptions& options,
                const RowCurveObserver& observer) {
   require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
@@ -55,7 +61,7 @@ double fastest_time_scale(const Row& row, const std::vector<double>& speeds, con
   const MadeRow probe = made_row(row, speeds, few, poll);
   double fastest = std::numeric_limits<double>::infinity();
   for (const MadeRow::Joint& joint : probe.joints) {
-    const double unit = probe.units[static_cast<std::size_t>(joint.one)].time;
+    const double unit = probe.units_of(joint).time;
     fastest = std::min(fastest, time_scale(*joint.contact) * unit);
   }
   return fastest;

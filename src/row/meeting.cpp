@@ -5,6 +5,7 @@
 
 #include "contact/hard_contact.hpp"
 #include "contact/touch.hpp"
+#include "row/flight.hpp"
 
 namespace stoss {
 
@@ -32,11 +33,10 @@ double Meeting::approach(const RowSolid& one, Face face, const RowSolid* other) 
 }
 
 void Meeting::respond(RowSolid& one, Face face, RowSolid* other) {
-  const Face opposite = face == Face::right ? Face::left : Face::right;
   compression_ = start_ + approach(one, face, other);
   for (std::size_t i = 0; i < position_.size(); ++i) {
     position_[i] = compression_ - grid_.recess[i] + one.displacement(face, i);
-    if (other != nullptr) position_[i] += other->displacement(opposite, i) * of_second_.length;
+    if (other != nullptr) position_[i] += other->displacement(opposite(face), i) * of_second_.length;
   }
   const std::vector<double>& force = response_->advance(position_);
   const std::size_t extent = response_->extent();
@@ -44,7 +44,7 @@ void Meeting::respond(RowSolid& one, Face face, RowSolid* other) {
   one.load(face, force, extent, force_);
   if (other == nullptr) return;
   for (std::size_t i = 0; i < force.size(); ++i) on_second_[i] = force[i] / of_second_.force;
-  other->load(opposite, on_second_, extent, force_ / of_second_.force);
+  other->load(opposite(face), on_second_, extent, force_ / of_second_.force);
 }
 
 void Meeting::record(double time, double step) {
@@ -61,14 +61,31 @@ void Meeting::record(double time, double step) {
   pushed_ = pushes();
 }
 
+double Meeting::closing(const RowSolid& one, Face face, const RowSolid* other) const {
+  const double apart = one.velocity() - (other == nullptr ? 0.0 : other->velocity());
+  return (face == Face::right ? apart : -apart) * one.units().time / one.units().length;
+}
+
+bool Meeting::is_still() const {
+  constexpr double small = 1e-4;
+  return force_ == 0.0 && before_ == 0.0 && response_->is_still(small * greatest_compression);
+}
+
+long Meeting::steps_apart(const RowSolid& one, Face face, const RowSolid* other, double step) const {
+  const double compression = start_ + approach(one, face, other), stride = step * closing(one, face, other);
+  const bool rigid = one.reach(face) == 0.0 && (other == nullptr || other->reach(opposite(face)) == 0.0);
+  if (rigid && stride == 0.0 && compression <= response_->touch()) return never;  // they are as they were
+  const double range = std::max(response_->range(), 0.0) + response_->protrusion();
+  const double place = compression + range + grid_.recess.front();
+  return stoss::steps_apart({one, face, other, of_second_.length, grid_.recess, place, stride});
+}
+
 bool Meeting::is_clear(const RowSolid& one, Face face, const RowSolid* other) const {
   if (pushes()) return false;
-  const Face opposite = face == Face::right ? Face::left : Face::right;
-  const double relative =
-      (face == Face::right ? 1.0 : -1.0) * (one.velocity() - (other == nullptr ? 0.0 : other->velocity()));
+  const double relative = closing(one, face, other);
   if (relative > 0.0) return false;
-  const double reach =
-      one.reach(face) + (other == nullptr ? 0.0 : other->reach(opposite) * of_second_.length) + response_->protrusion();
+  const double reach = one.reach(face) + (other == nullptr ? 0.0 : other->reach(opposite(face)) * of_second_.length) +
+                       response_->protrusion();
   if (relative == 0.0) return compression_ + reach <= response_->touch();  // they are as they were
   return compression_ + reach < -std::max(response_->range(), 0.0);
 }

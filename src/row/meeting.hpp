@@ -28,6 +28,16 @@ class Meeting {
   /// Finds the forces where the bodies are, and gives them to both. @param other null at a wall
   void respond(RowSolid& one, Face face, RowSolid* other);
 
+  /// Whether no force acts, and what still moves in the contact is a small share of its greatest compression: the
+  /// modes above the cutoff, some of which would ring on for long in the steps of the motion.
+  [[nodiscard]] bool is_still() const;
+
+  /// Steps for which the bodies stay apart as they fly. @param step R/c of the first of them
+  [[nodiscard]] long steps_apart(const RowSolid& one, Face face, const RowSolid* other, double step) const;
+
+  /// Goes on for some time, R/c of the first of them, in which they do.
+  void rest(double time) { response_->rest(time); }
+
   /// Notes the step, with the force at its end.
   void record(double time, double step);
 
@@ -54,6 +64,7 @@ class Meeting {
   int touches = 0;
 
  private:
+  [[nodiscard]] double closing(const RowSolid& one, Face face, const RowSolid* other) const;
   [[nodiscard]] double approach(const RowSolid& one, Face face, const RowSolid* other) const;
 
   const Contact& contact_;

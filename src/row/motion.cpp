@@ -6,24 +6,10 @@
 #include <tuple>
 
 #include "check.hpp"
+#include "row/flight.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
-namespace {
-
-/// Units of a joint in those of the first body of the row.
-const UnitRatios& units_of(const MadeRow& row, const MadeRow::Joint& joint) {
-  return row.units[static_cast<std::size_t>(joint.one)];
-}
-
-double energy_unit(const UnitRatios& units) { return units.force * units.length; }
-
-double sum(const RowEnergy& its) {
-  return its.translation + its.vibration + its.contact + its.unresolved + its.dissipated + its.yielded;
-}
-
-}  // namespace
-
 RowMotion::RowMotion(const MadeRow& row, const std::vector<double>& speeds, const RowState* start, const Poll& poll)
     : row_(row) {
   for (const MadeRow::Joint& joint : row.joints) {
@@ -36,16 +22,29 @@ RowMotion::RowMotion(const MadeRow& row, const std::vector<double>& speeds, cons
     points[static_cast<std::size_t>(joint.one)][face] = meetings_[k].points(0);
     if (joint.other >= 0) points[static_cast<std::size_t>(joint.other)][1 - face] = meetings_[k].points(1);
   }
+  solids_.reserve(row.bodies.size());
   for (std::size_t b = 0; b < row.bodies.size(); ++b) {
-    solids_.emplace_back(row.bodies[b], row.units[b], points[b], row.step, speeds[b]);
+    const auto like = std::find_if(solids_.begin(), solids_.end(),
+                                   [&](const RowSolid& each) { return each.is_alike(*row.bodies[b], points[b]); });
+    if (like != solids_.end()) {
+      solids_.push_back(like->alike(speeds[b]));
+    } else {
+      solids_.emplace_back(row.bodies[b], row.units[b], points[b], row.step, speeds[b]);
+    }
     translation_ += solids_[b].translation();
   }
   vibrate(start);
   place(speeds);
+  sleep_.resize(meetings_.size()), awake_joints_.resize(solids_.size()), known_at_.resize(solids_.size());
+  for (const MadeRow::Joint& joint : row.joints) {
+    for (const int each : {joint.one, joint.other}) {
+      if (each >= 0) ++awake_joints_[static_cast<std::size_t>(each)];
+    }
+  }
   displacement_.resize(solids_.size()), velocity_.resize(solids_.size()), force_.resize(meetings_.size());
   respond();
   for (RowSolid& solid : solids_) solid.begin();
-  whole_ = sum(in_units());
+  whole_ = total(in_units());
   momentum_ = momentum();
 }
 
@@ -76,36 +75,53 @@ void RowMotion::place(const std::vector<double>& speeds) {
     const RowSolid& one = *body(joint.one);
     const RowSolid* other = body(joint.other);
     const double met = joint.other < 0 ? 0.0 : speeds[static_cast<std::size_t>(joint.other)];
-    const double relative = speeds[static_cast<std::size_t>(joint.one)] - met, unit = units_of(row_, joint).length;
+    const double relative = speeds[static_cast<std::size_t>(joint.one)] - met, unit = row_.units_of(joint).length;
     approaches.push_back((joint.face == Face::right ? relative : -relative) / unit);
     const Face opposite = joint.face == Face::right ? Face::left : Face::right;
     gaps.push_back(joint.gap + one.reach(joint.face) +
                    (other == nullptr ? 0.0 : other->reach(opposite) * other->units().length / unit));
     if (approaches.back() > 0.0) before = std::min(before, joint.gap / approaches.back());
   }
-  time_ = -(1.0 - meetings_.front().first_kick()) * row_.step;
+  begin_ = -(1.0 - meetings_.front().first_kick()) * row_.step;
   if (!std::isfinite(before)) before = 0.0;
   for (std::size_t k = 0; k < meetings_.size(); ++k) {
-    meetings_[k].begin(std::max(0.0, gaps[k] - (before + time_) * approaches[k]));
+    meetings_[k].begin(std::max(0.0, gaps[k] - (before + begin_) * approaches[k]));
   }
 }
 
 void RowMotion::respond() {
   for (std::size_t k = 0; k < meetings_.size(); ++k) {
+    if (sleep_[k].until > 0) continue;
     const MadeRow::Joint& joint = row_.joints[k];
     meetings_[k].respond(*body(joint.one), joint.face, body(joint.other));
   }
-  for (RowSolid& solid : solids_) solid.respond();
+  for (std::size_t b = 0; b < solids_.size(); ++b) {
+    if (is_awake(b)) solids_[b].respond();
+  }
 }
 
-void RowMotion::advance() {
-  for (RowSolid& solid : solids_) solid.advance();
-  respond();
-  time_ += row_.step;
-  ++steps_;
+void RowMotion::advance(double until) {
   for (std::size_t k = 0; k < meetings_.size(); ++k) {
-    meetings_[k].record(time_, row_.step / units_of(row_, row_.joints[k]).time);
+    if (sleep_[k].until > 0 && sleep_[k].until <= now_) wake(k);
   }
+  if (sleeps()) {
+    constexpr double longest = 1e18;  // steps
+    long next = static_cast<long>(std::min(longest, std::ceil((until - begin_) / row_.step)));
+    for (const Sleep& each : sleep_) next = std::min(next, each.until);
+    now_ = std::max(now_ + 1, next);
+    return catch_up();
+  }
+  for (std::size_t b = 0; b < solids_.size(); ++b) {
+    if (is_awake(b)) solids_[b].advance();
+  }
+  ++now_, ++steps_;
+  respond();
+  for (std::size_t k = 0; k < meetings_.size(); ++k) {
+    if (sleep_[k].until > 0) continue;
+    meetings_[k].record(time(), row_.step / row_.units_of(row_.joints[k]).time);
+    if (now_ >= sleep_[k].next_look) fall_asleep(k);
+  }
+  wake_pushed();
 }
 
 double RowMotion::left_at(std::size_t k) const {
@@ -118,7 +134,7 @@ double RowMotion::left_at(std::size_t k) const {
     lightest = std::min(lightest, each->mass());
     if (each->moves()) vibration += each->vibration();  // other waves run away
   }
-  const UnitRatios& units = units_of(row_, joint);
+  const UnitRatios& units = row_.units_of(joint);
   const double stored = std::max(0.0, energy_unit(units) * meetings_[k].stored());
   const double pushed = units.force * units.time * meetings_[k].force() * joint.duration / lightest;
   return std::max({pushed, std::sqrt(2.0 * stored / lightest), given_back * std::sqrt(2.0 * vibration / lightest)});
@@ -136,7 +152,8 @@ std::vector<double> RowMotion::open() const {
     };
     for (; k < meetings_.size(); ++k) {
       const MadeRow::Joint& joint = row_.joints[k];
-      const bool clear = meetings_[k].is_clear(*body(joint.one), joint.face, body(joint.other));
+      const bool clear = sleep_[k].until > 0 ? sleep_[k].until == never
+                                             : meetings_[k].is_clear(*body(joint.one), joint.face, body(joint.other));
       end = static_cast<std::size_t>(joint.one) + (joint.face == Face::left ? 0 : 1);
       if (clear) break;
       add(joint.one), add(joint.other);
@@ -152,91 +169,9 @@ std::vector<double> RowMotion::open() const {
 
 int RowMotion::overflowing() const {
   for (std::size_t k = 0; k < meetings_.size(); ++k) {
-    if (meetings_[k].overflows()) return static_cast<int>(k);
+    if (sleep_[k].until == 0 && meetings_[k].overflows()) return static_cast<int>(k);
   }
   return -1;
-}
-
-double RowMotion::momentum() const {
-  double sum = 0.0;
-  for (const RowSolid& solid : solids_) sum += std::isfinite(solid.mass()) ? solid.mass() * solid.velocity() : 0.0;
-  return sum;
-}
-
-RowEnergy RowMotion::in_units() const {
-  RowEnergy its;
-  for (const RowSolid& solid : solids_) {
-    its.translation += solid.translation();
-    its.vibration += solid.vibration();
-    its.dissipated += solid.dissipated();
-    its.contact += solid.stored_across();
-  }
-  for (std::size_t k = 0; k < meetings_.size(); ++k) {
-    const double unit = energy_unit(units_of(row_, row_.joints[k]));
-    its.contact += unit * meetings_[k].stored();
-    its.unresolved += unit * meetings_[k].unresolved();
-    its.dissipated += unit * meetings_[k].dissipated();
-    its.yielded += unit * meetings_[k].yielded();
-  }
-  return its;
-}
-
-RowEnergy RowMotion::energy() const {
-  RowEnergy its = in_units();
-  for (double* each : {&its.translation, &its.vibration, &its.contact, &its.unresolved, &its.dissipated, &its.yielded})
-    *each /= translation_;
-  return its;
-}
-
-RowImpact RowMotion::result() const {
-  RowImpact made;
-  made.step = row_.step;
-  made.steps = steps_;
-  made.time = time_;
-  const double mass = solids_.front().mass();
-  double of_walls = 0.0;
-  for (const RowSolid& solid : solids_) made.velocities_after.push_back(solid.velocity());
-  for (std::size_t k = 0; k < meetings_.size(); ++k) {
-    const MadeRow::Joint& joint = row_.joints[k];
-    const UnitRatios& units = units_of(row_, joint);
-    const Meeting& its = meetings_[k];
-    const double impulse = its.impulse * units.force * units.time;
-    made.strain = std::max(made.strain, its.strain());
-    const bool stands = joint.other < 0 || !std::isfinite(body(joint.other)->mass());
-    if (stands) of_walls += joint.face == Face::right ? -impulse : impulse;
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    made.contacts.push_back({joint.face == Face::left ? -1 : joint.one, its.touches > 0 ? its.first_touch : none,
-                             its.touches > 0 ? its.last_touch : none, its.touches,
-                             its.greatest_force * units.force / mass, impulse / mass,
-                             its.greatest_compression * units.length});
-  }
-  made.energy = energy();
-  made.energy_error = sum(made.energy) - whole_ / translation_;
-  made.momentum_error = (momentum() - momentum_ - of_walls) / (mass * row_.fastest);
-  for (const RowSolid& solid : solids_) {
-    made.after.coordinate.push_back(solid.coordinate());
-    made.after.momentum.push_back(solid.momentum());
-  }
-  made.open = open();
-  std::size_t modes = 0;
-  for (const auto& each : row_.bodies) modes += mode_count(*each);
-  constexpr double of_a_contact = 600.0;  // modes
-  made.work =
-      static_cast<double>(steps_) * (static_cast<double>(modes) + of_a_contact * static_cast<double>(meetings_.size()));
-  return made;
-}
-
-void RowMotion::observe(const RowWatch& watch) {
-  if (!watch.observer) return;
-  for (std::size_t b = 0; b < solids_.size(); ++b) {
-    displacement_[b] = solids_[b].position();
-    velocity_[b] = solids_[b].velocity();
-  }
-  const double mass = solids_.front().mass();
-  for (std::size_t k = 0; k < meetings_.size(); ++k) {
-    force_[k] = meetings_[k].force() * units_of(row_, row_.joints[k]).force / mass;
-  }
-  watch.observer({time_, displacement_, velocity_, force_, energy()});
 }
 
 }  // namespace stoss

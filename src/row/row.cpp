@@ -19,9 +19,9 @@ constexpr int levels_of_surfaces = 13, levels_of_points = 19;  // half octaves, 
 constexpr double lowest = 5.656854;                            // cutoff, over the fastest time scale of two neighbours
 constexpr std::size_t fewest = 3;  // motions; of many bodies two, as not all of them agree by chance
 constexpr std::size_t many = 8;
-constexpr int most_failed = 3;
-constexpr double long_contact = 40.0;  // R/c
-constexpr double share_settled = 0.6;  // of the tolerance that bodies may have which may meet again
+constexpr int most_failed = 3, most_failed_of_points = 8;  // a force that jumps falls between coarse steps
+constexpr double long_contact = 40.0;                      // R/c
+constexpr double share_settled = 0.6;                      // of the tolerance that bodies may have which may meet again
 
 /// How errors of velocities follow from motions at cutoffs: of 200 rows of two to five disks and spheres (numerics).
 struct Bars {
@@ -79,6 +79,13 @@ std::string hopeless(const RowResult& result, const RowImpact& last, const Bars&
   return needed <= 2.0 * highest ? std::string() : "the tolerance needs a cutoff of some " + rounded(needed) + " c/R";
 }
 
+/// Why no higher cutoff helps: the errors do not fall, as they would by far in two octaves of the cutoff, or four.
+std::string stays(const std::vector<double>& errors, double order) {
+  const auto few = static_cast<std::size_t>(std::lround(8.0 / order));  // half octaves
+  if (errors.size() <= few || errors.back() <= 0.5 * errors[errors.size() - 1 - few]) return {};
+  return "the errors do not fall with the cutoff: bodies that vibrate meet so late that their phase is not known";
+}
+
 double greatest_error(const RowResult& result) {
   double greatest = 0.0;
   for (const Estimate& each : result.velocities_after) greatest = std::max(greatest, each.error);
@@ -87,9 +94,13 @@ double greatest_error(const RowResult& result) {
 
 }  // namespace
 
-RowResult row(const Row& row, const std::vector<double>& speeds, const RowOptions& options) {
+void require_tolerance(const RowOptions& options) {
   require("tolerance", options.tolerance, ranges::row_tolerance,
           "error of each velocity over the greatest difference of speeds");
+}
+
+RowResult row(const Row& row, const std::vector<double>& speeds, const RowOptions& options) {
+  require_tolerance(options);
   const double scale = fastest_time_scale(row, speeds, options.poll);
   const MadeRow probe = made_row(row, speeds, lowest / scale, options.poll);
   const bool points = has_single_point(*probe.joints.front().contact);
@@ -98,6 +109,7 @@ RowResult row(const Row& row, const std::vector<double>& speeds, const RowOption
   const std::size_t enough = row.bodies.size() < many ? fewest : fewest - 1;
   RowResult result;
   std::vector<RowImpact> runs;
+  std::vector<double> errors;  // greatest, from the first that is known
   int failed = 0;
   // Waves of a block or a plate are as many as the square of cutoff and time, and slow impacts make long ones alone.
   const int begin = std::isfinite(probe.known) && probe.known > long_contact * scale ? -2 : 0;
@@ -108,7 +120,7 @@ RowResult row(const Row& row, const std::vector<double>& speeds, const RowOption
                                 {.until = options.until, .settled = share_settled * options.tolerance}));
     } catch (const NotConverged& error) {
       result.reason = error.what();
-      if (++failed == most_failed) break;
+      if (++failed == (points ? most_failed_of_points : most_failed)) break;
       continue;
     } catch (const InvalidInput& error) {  // a mode that vibrates is kept from some cutoff on
       if (row.vibration.empty() || error.name() != "vibration" || level + 1 == levels) throw;
@@ -119,9 +131,12 @@ RowResult row(const Row& row, const std::vector<double>& speeds, const RowOption
     if (runs.size() < enough) continue;
     conclude(runs, bars, probe.fastest, result);
     const double wanted = options.tolerance * probe.fastest;
-    result.converged = greatest_error(result) <= wanted;
+    errors.push_back(greatest_error(result));
+    result.converged = errors.back() <= wanted;
     if (result.converged) break;
-    result.reason = hopeless(result, runs.back(), bars, wanted, lowest / scale * std::exp2(0.5 * (levels - 1)));
+    result.reason = stays(errors, bars.order);
+    if (result.reason.empty())
+      result.reason = hopeless(result, runs.back(), bars, wanted, lowest / scale * std::exp2(0.5 * (levels - 1)));
     if (!result.reason.empty()) break;
   }
   if (runs.size() < enough) throw NotConverged(result.reason.empty() ? "row: too few cutoffs" : result.reason);

@@ -12,10 +12,23 @@
 #include "stoss/errors.hpp"
 
 namespace stoss {
+namespace {
+
+std::vector<double> transposed(const std::vector<double>& matrix, std::size_t columns) {
+  std::vector<double> result(matrix.size());
+  const std::size_t rows = matrix.size() / columns;
+  for (std::size_t k = 0; k < matrix.size(); ++k) result[k % columns * rows + k / columns] = matrix[k];
+  return result;
+}
+
+}  // namespace
+
 RowSolid::RowSolid(std::shared_ptr<const Body> body, const UnitRatios& units, const FacePoints& points, double step,
                    double speed)
     : body_(std::move(body)),
+      points_(points),
       units_(units),
+      step_(step / units.time),
       mass_(whole_mass(*body_) * units.mass),
       energy_(units.mass * units.length * units.length / (units.time * units.time)),
       moves_(!is_unbounded(*body_)),
@@ -33,35 +46,42 @@ RowSolid::RowSolid(std::shared_ptr<const Body> body, const UnitRatios& units, co
     force_.resize(its.begin + its.count);
   }
   moved_.resize(force_.size());
-  if (both)
-    across_ = {body_->opposite_compliance(*points[1], *points[0]), body_->opposite_compliance(*points[0], *points[1])};
+  Across across;
+  if (both) {
+    across[0] = body_->opposite_compliance(*points[1], *points[0]);
+    across[1] = transposed(across[0], sides_[0].count);
+  }
+  across_ = std::make_shared<const Across>(std::move(across));
   next_.resize(force_.size());
-  constexpr double usual = 0.5;  // steps over 1/cutoff
-  const double shorter = step / units.time * body_->cutoff / usual;
-  lag_ = shorter > 0.5 ? 1.0 : shorter;
+  constexpr double usual = 0.5;  // steps over 1/cutoff; with shorter ones forces that go on would drive the contact
+  const double shorter = step_ * body_->cutoff / usual;
+  lag_ = shorter > 0.98 ? 1.0 : shorter;
   if (mode_count(*body_) == 0) return;
   const FaceModes its = face_modes(body_, points);
-  groups_ = its.contact.groups;
+  groups_ = std::make_shared<const std::vector<ModeGroup>>(its.contact.groups);
   const Kicks kicks = longest_loss_time(*body_) > 0.0 ? Kicks::weaker : Kicks::whole;
-  modes_.emplace(its.contact, its.grid, step / units.time, kicks);
-  if (both && loses(*body_)) begin_creep(its.contact, its.grid, step / units.time);
+  modes_.emplace(its.contact, its.grid, step_, kicks);
+  if (is_foreseen())
+    looks_ = std::make_shared<const ModeTables>(its.contact, its.grid, static_cast<double>(look) * step_, Kicks::whole);
+  if (both && loses(*body_)) begin_creep(its.contact, its.grid, step_);
 }
 
-void RowSolid::begin_creep(const Contact& contact, const ContactGrid& grid, double step) {
-  const auto points = static_cast<Eigen::Index>(force_.size());
-  Eigen::MatrixXd beside = Eigen::MatrixXd::Zero(points, points);
-  add_kick_compliance(contact, grid, step, {}, beside);
-  const Creep its = creep_of(*body_, 1.0);
-  for (std::size_t face = 0; face < 2; ++face) {
-    const Side &here = sides_[face], &there = sides_[1 - face];
-    CreepAcross& made = creep_.emplace_back(
-        CreepAcross{{its, step, there.count}, {its, step, here.count}, {}, std::vector<double>(here.count)});
-    for (std::size_t j = there.begin; j < there.begin + there.count; ++j) {
-      for (std::size_t i = here.begin; i < here.begin + here.count; ++i) {
-        made.at_once.push_back(beside(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
-      }
+RowSolid RowSolid::alike(double speed) const {
+  RowSolid other = *this;
+  other.center_ = NormalMotion(mass_, step_ * units_.time, speed);
+  return other;
+}
+
+bool RowSolid::is_alike(const Body& body, const FacePoints& points) const {
+  if (body_.get() != &body) return false;
+  for (std::size_t f = 0; f < 2; ++f) {
+    const auto &one = points_[f], &other = points[f];
+    if (one.has_value() != other.has_value()) return false;
+    if (one && (one->radius != other->radius || one->spacing != other->spacing || one->count != other->count)) {
+      return false;
     }
   }
+  return true;
 }
 
 void RowSolid::load(Face face, const std::vector<double>& force, std::size_t count, double sum) {
@@ -71,59 +91,12 @@ void RowSolid::load(Face face, const std::vector<double>& force, std::size_t cou
   its.pressed_before = its.pressed;
   its.pressed = count;
   its.sum = sum;
-}
-
-void RowSolid::add_across(std::size_t face) {
-  Side& its = sides_[face];
-  const Side& other = sides_[1 - face];
-  std::size_t pressed = std::max(other.pressed, other.pressed_before);
-  if (pressed == 0 && !its.moved_across) return;
-  for (std::size_t j = 0; j < pressed; ++j) next_[j] = 2.0 * other.force[j] - other.before[j];
-  if (lag_ < 1.0) {
-    pressed = other.count;
-    std::vector<double>& late = late_[face];
-    late.resize(pressed);
-    for (std::size_t j = 0; j < pressed; ++j) {
-      late[j] += lag_ * (other.force[j] - late[j]);
-      next_[j] = late[j];
-    }
-  }
-  numeric::kernels::multiply_transposed(across_[face].data(), its.count, pressed, 0, its.count, next_.data(),
-                                        its.across.data());
-  its.moved_across = pressed > 0;
-}
-
-void RowSolid::creep_across(std::size_t face) {
-  Side& its = sides_[face];
-  const Side& other = sides_[1 - face];
-  CreepAcross& creep = creep_[face];
-  const auto multiply = [&](const std::vector<double>& matrix, const std::vector<double>& force) {
-    numeric::kernels::multiply_transposed(matrix.data(), its.count, other.count, 0, its.count, force.data(),
-                                          its.across.data());
-  };
-  multiply(across_[face], other.force);
-  creep.stress.take(other.force), creep.strain.take(its.across);
-  const std::vector<double> crept = creep.strain.crept();
-  for (std::size_t i = 0; i < its.count; ++i) {
-    work_across_ += 0.5 * (its.force[i] + its.before[i]) * (crept[i] - creep.crept[i]);
-  }
-  creep.crept = crept;
-  for (std::size_t j = 0; j < other.count; ++j) next_[j] = 2.0 * other.force[j] - other.before[j];
-  multiply(creep.at_once, next_);
-  const std::vector<double> follows = its.across;
-  const std::vector<double>& remembered = creep.stress.predict();
-  late_[face].resize(other.count);
-  for (std::size_t j = 0; j < other.count; ++j) {
-    late_[face][j] += lag_ * ((lag_ < 1.0 ? other.force[j] : next_[j]) - late_[face][j]);
-    next_[j] = creep.stress.share() * late_[face][j] + remembered[j];
-  }
-  multiply(across_[face], next_);
-  numeric::kernels::add(its.across.data(), follows.data(), its.count, its.across.data());
+  greatest_ = std::max(greatest_, sum);
 }
 
 void RowSolid::respond() {
   center_.load((sides_[1].sum - sides_[0].sum) * units_.force);
-  for (std::size_t face = 0; face < 2 && !across_[face].empty(); ++face) {
+  for (std::size_t face = 0; face < 2 && !(*across_)[face].empty(); ++face) {
     creep_.empty() ? add_across(face) : creep_across(face);
   }
   if (!modes_) return;
@@ -137,7 +110,8 @@ void RowSolid::respond() {
 
 void RowSolid::vibrate(const Oscillation& mode, double energy) {
   std::size_t k = 0;
-  for (const ModeGroup& group : groups_) {
+  for (std::size_t g = 0; modes_ && g < groups_->size(); ++g) {
+    const ModeGroup& group = (*groups_)[g];
     for (std::size_t l = 0; l < group.omega.size(); ++l, ++k) {
       const int index = group.index.empty() ? static_cast<int>(l) : group.index[l];
       if (group.order != mode.order || index != mode.index) continue;
@@ -177,34 +151,56 @@ void RowSolid::advance() {
   modes_->add_displacement(moved_);
 }
 
+bool RowSolid::is_free() const {
+  constexpr double nothing = 1e-12;                // of the forces that still follow on the far face
+  if (!moves_ && vibration() > 0.0) return false;  // waves run on it
+  for (std::size_t face = 0; face < 2; ++face) {
+    const Side& its = sides_[face];
+    if (its.pressed > 0 || its.pressed_before > 0 || its.sum != 0.0) return false;
+    if ((*across_)[face].empty()) continue;
+    if (lag_ == 1.0 && creep_.empty() && its.moved_across) return false;
+    for (const double each : late_[face]) {
+      if (std::abs(each) > nothing * greatest_) return false;
+    }
+  }
+  return true;
+}
+
+void RowSolid::fly(long steps) {
+  const double time = static_cast<double>(steps) * step_;
+  if (moves_) center_.fly(time * units_.time);
+  if (modes_) modes_->fly(time);
+  for (std::vector<double>& each : late_) std::fill(each.begin(), each.end(), 0.0);
+  for (std::size_t face = 0; face < creep_.size(); ++face) {
+    CreepAcross& creep = creep_[face];
+    creep.stress.fade(time), creep.strain.fade(time);
+    creep.crept = creep.strain.crept();
+    sides_[face].across = creep.crept;
+  }
+  if (!modes_) return;
+  std::fill(moved_.begin(), moved_.end(), 0.0);
+  modes_->add_displacement(moved_);
+}
+
+std::optional<KeptModes> RowSolid::in_flight() const {
+  return modes_ ? std::optional(modes_->in_flight(looks_)) : std::nullopt;
+}
+
 double RowSolid::displacement(Face face, std::size_t point) const {
   const Side& its = side(face);
   return moved_[its.begin + point] - its.across[point];
 }
 
 double RowSolid::reach(Face face) const {
-  return modes_ ? modes_->reach(side(face).begin, side(face).begin + side(face).count) : 0.0;
+  const Side& its = side(face);
+  double most = 0.0;
+  for (std::size_t i = 0; i < its.count && !creep_.empty(); ++i) most = std::max(most, std::abs(its.across[i]));
+  return most + (modes_ ? modes_->reach(its.begin, its.begin + its.count) : 0.0);
 }
 
 double RowSolid::dissipated() const {
   const double across = creep_.empty() ? 0.0 : work_across_ - stored_in_creep();
-  return ((modes_ ? modes_->dissipated(0, groups_.size()) : 0.0) + across) * energy_;
-}
-
-// Of each face half: the springs under the stress here by what the force there strains.
-double RowSolid::stored_in_creep() const {
-  return creep_[0].strain.energy(creep_[1].stress) + creep_[1].strain.energy(creep_[0].stress);
-}
-
-double RowSolid::stored_across() const {
-  double sum = 0.0;
-  const std::vector<double>& across = creep_.empty() ? across_[1] : creep_[1].at_once;
-  for (std::size_t i = 0, at = 0; i < sides_[0].count && !across.empty(); ++i) {
-    for (std::size_t j = 0; j < sides_[1].count; ++j, ++at) {
-      sum += sides_[0].force[i] * across[at] * sides_[1].force[j];
-    }
-  }
-  return (sum + (creep_.empty() ? 0.0 : stored_in_creep())) * energy_;
+  return ((modes_ ? modes_->dissipated(0, groups_->size()) : 0.0) + across) * energy_;
 }
 
 }  // namespace stoss

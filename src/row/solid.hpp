@@ -19,6 +19,8 @@ namespace stoss {
 /// The two faces of a body in a row.
 enum class Face { left, right };
 
+constexpr Face opposite(Face face) { return face == Face::right ? Face::left : Face::right; }
+
 /// One body of a row: its centre and its modes, under the forces at its faces.
 ///
 /// A mode that moves the right face towards what meets it by Q s_i moves the left one by ±Q s_i (opposite_share), so
@@ -32,6 +34,10 @@ class RowSolid {
   /// @throws InvalidInput for a body with two neighbours whose opposite face is not known
   RowSolid(std::shared_ptr<const Body> body, const UnitRatios& units, const FacePoints& points, double step,
            double speed);
+
+  /// Another body that meets the same at the same points, as neither has moved.
+  [[nodiscard]] RowSolid alike(double speed) const;
+  [[nodiscard]] bool is_alike(const Body& body, const FacePoints& points) const;
 
   /// Takes the forces of a contact at a face, the first `count` of which may be other than 0, and their sum.
   void load(Face face, const std::vector<double>& force, std::size_t count, double sum);
@@ -51,6 +57,23 @@ class RowSolid {
 
   void begin();
   void advance();
+
+  /// Whether no force moves it, but for what its material remembers of those before.
+  [[nodiscard]] bool is_free() const;
+
+  /// Goes on freely for some steps at once.
+  void fly(long steps);
+
+  /// Whether its flight can be looked at ahead: it loses nothing, and no waves run away.
+  [[nodiscard]] bool is_foreseen() const { return moves_ && creep_.empty() && !loses(*body_); }
+
+  /// Its modes as they are, to be looked at in steps 4 times as long; null without modes. Of one that is foreseen.
+  [[nodiscard]] std::optional<KeptModes> in_flight() const;
+  static constexpr long look = 4;  ///< steps
+
+  /// The points of both faces, and the place of a face among them.
+  [[nodiscard]] std::size_t points() const { return force_.size(); }
+  [[nodiscard]] std::size_t first_point(Face face) const { return side(face).begin; }
 
   /// Where the points of a face are beyond those of the body at rest, R of the body; its centre is left out.
   [[nodiscard]] double displacement(Face face, std::size_t point) const;
@@ -95,19 +118,26 @@ class RowSolid {
   [[nodiscard]] double stored_in_creep() const;
   [[nodiscard]] const Side& side(Face face) const { return sides_[static_cast<std::size_t>(face)]; }
 
+  using Across = std::array<std::vector<double>, 2>;
+
   std::shared_ptr<const Body> body_;
+  FacePoints points_;
   UnitRatios units_;
+  double step_;  // R/c of the body
   double mass_, energy_;
   bool moves_;
   std::array<Side, 2> sides_;
-  std::vector<ModeGroup> groups_;
+  // What is shared by copies.
+  std::shared_ptr<const std::vector<ModeGroup>> groups_;
+  std::shared_ptr<const ModeTables> looks_;
+  std::shared_ptr<const Across> across_;  // W_x, points there × here; empty where one face alone meets something
   std::optional<KeptModes> modes_;
   NormalMotion center_;
-  std::array<std::vector<double>, 2> across_;  // W_x, points there × here; empty where one face alone meets something
-  std::vector<CreepAcross> creep_;             // at both faces; empty without losses
-  double work_across_ = 0.0;                   // of the forces on what creeps across
-  std::vector<double> force_, moved_;          // of all points
+  std::vector<CreepAcross> creep_;     // at both faces; empty without losses
+  double work_across_ = 0.0;           // of the forces on what creeps across
+  std::vector<double> force_, moved_;  // of all points
   std::vector<double> next_;
+  double greatest_ = 0.0;  // force on a face
   double lag_ = 1.0;  // share of the force that follows in a step: where steps are much shorter than modes that are not
                       // kept, the face would else follow them at once and drive the contact there
   std::array<std::vector<double>, 2> late_;  // those forces

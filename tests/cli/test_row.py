@@ -95,3 +95,43 @@ def test_refuses_in_one_line(stoss, words, line):
     result = stoss.run(f"{BALLS} {words}")
     assert result.returncode in (2, 3) and len(result.stderr.splitlines()) == 1
     assert line in result.stderr, result.stderr
+
+
+def test_every_contact_is_looked_at_for_yielding(stoss, tmp_path):
+    steel, brass = ({"kind": "sphere", "material": name, "radius": 0.01} for name in ("bearing steel", "brass"))
+    path = tmp_path / "row.json"
+    path.write_text(json.dumps({"bodies": [steel, steel, brass, steel], "after": "wall", "gaps": [0, 0, 0, 1e-3]}))
+    said = stoss.run(f"row --bodies {path} --speed 0.2").stderr.splitlines()
+    assert len(said) == 3, said  # the first contact holds 0.2 m/s, steel does not yield up to 0.256
+    assert any("the other ball yields above" in line and "contact 1 is pressed as hard as by" in line for line in said)
+    assert any("the ball yields above" in line and "contact 2" in line for line in said)
+    assert any("contact 3" in line for line in said)
+    assert stoss.run(f"row --bodies {path} --speed 0.001").stderr == ""
+
+
+def test_two_balls_of_a_material_are_warned_of_as_a_pair(stoss):
+    balls = "--body sphere --material 'bearing steel' --radius 0.01 --speed"
+    for speed in (0.25, 0.265):
+        row = stoss.run(f"row --count 2 {balls} {speed}")
+        pair = stoss.run(f"restitution --against same {balls} {speed}")
+        assert ("yields" in row.stderr) == ("yields" in pair.stderr) == (speed > 0.26)
+
+
+def test_any_body_may_vibrate(stoss, tmp_path):
+    mode = {"order": 2, "index": 0, "energy": 0.1, "phase": 1.0}
+    found = record(stoss, f"{BALLS} --count 3 --speed 0.05 --mode 2,0,energy=0.1,phase=1,body=2")
+    path = tmp_path / "row.json"
+    balls = [{"kind": "sphere", "poisson": 0.3}] * 3
+    path.write_text(json.dumps({"bodies": balls, "vibration": [{"body": 2, **mode}]}))
+    assert record(stoss, f"row --bodies {path} --speed 0.05") == found
+    assert found["vibration"] > 0.1
+    ringing = f"{BALLS} --speed 0.05 --mode 2,0,energy=1"
+    assert "vibration body: got 3, allowed 0 to 2" in stoss.run(f"{ringing},body=3").stderr
+    assert "got 'of', allowed energy, phase, body" in stoss.run(f"{ringing},of=second").stderr
+
+
+@pytest.mark.parametrize("gap", [1, 1000])
+def test_far_flights_take_no_time(stoss, gap):
+    row = record(stoss, f"{BALLS} --count 3 --speed 0.05 --gap {gap}")
+    assert row["converged"] and row["steps"] < 40_000 and row["duration"] > 1e4
+    assert abs(row["momentum_error"]) < 1e-12 and abs(row["energy_error"]) < 1e-4

@@ -215,6 +215,19 @@ TEST(RowLimits, OfShortStepsConverge) {
   EXPECT_LT(std::abs(coarse.energy_error), 1e-4);
 }
 
+// What follows across a body must not drive its contacts, however short steps are beside the modes that are not kept.
+TEST(RowLimits, OfNearlyIncompressibleBodiesKeepAccountOfTheEnergy) {
+  for (const double poisson : {0.45, 0.48, 0.49, 0.495}) {
+    Row drop = equal(sphere(poisson), 2);
+    drop.wall_after = true;
+    Row rubber = equal(relaxing(sphere(poisson), {{{0.1, 0.3}, {0.05, 10.0}}}), 3);
+    for (const double cutoff : {8.0, 11.3, 16.0, 22.6}) {
+      expect_closed(drop, {0.1, 0.1}, 5e-4, cutoff);
+      expect_closed(rubber, {0.1, 0.0, 0.0}, 5e-4, cutoff);
+    }
+  }
+}
+
 TEST(RowLimits, HaveRigidBodiesBetweenOthers) {
   expect_closed(row_of({sphere(0.3), rigid(sphere(0.3))}, {0, 1, 0}), {0.05, 0.0, 0.0});
 }

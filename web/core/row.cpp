@@ -81,18 +81,17 @@ val collision_of_row(const GivenRow& given, const std::vector<double>& speeds, c
     add(its, first, si, row_contact_quantities(), each);
     contacts.call<void>("push", its);
   }
-  const Encounter ends{.first = given.bodies.front(), .against = given.bodies.back()};
-  const double fastest =
-      *std::max_element(speeds.begin(), speeds.end()) - std::min(0.0, *std::min_element(speeds.begin(), speeds.end()));
-  return object({{"quantities", all},
-                 {"bodies", bodies},
-                 {"contacts", contacts},
-                 {"converged", result.converged},
-                 {"reason", result.reason},
-                 {"cutoff", result.finest.cutoff},
-                 {"beyondSmallStrain", result.finest.strain > small_strain_limit},
-                 {"materialWarnings", list(material_warnings(ends, fastest * speed_unit(first)),
-                                           [](const std::string& line) { return val(line); })}});
+  std::vector<double> work;
+  for (const RowContact& each : result.finest.contacts) work.push_back(each.max_force * each.max_compression);
+  return object(
+      {{"quantities", all},
+       {"bodies", bodies},
+       {"contacts", contacts},
+       {"converged", result.converged},
+       {"reason", result.reason},
+       {"cutoff", result.finest.cutoff},
+       {"beyondSmallStrain", result.finest.strain > small_strain_limit},
+       {"materialWarnings", list(material_warnings(given, work), [](const std::string& line) { return val(line); })}});
 }
 
 RowOptions options_of(const Question& asked) {

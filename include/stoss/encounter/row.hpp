@@ -49,6 +49,11 @@ struct GivenRow {
 /// its end. @throws as row and row_of
 [[nodiscard]] RowResult row(const GivenRow& given, const std::vector<double>& speeds, const RowOptions& options = {});
 
+/// What material_warnings says of the two bodies of each contact, at the speed at which they alone would press each
+/// other as much: ½μv² = ⅖Fδ of spheres with the greatest force and compression. Nothing without materials.
+/// @param work Fδ of each contact from left to right, in mc² of the first body, or NaN @throws as row_of
+[[nodiscard]] std::vector<std::string> material_warnings(const GivenRow& given, const std::vector<double>& work);
+
 /// One motion of it, for trajectories: of all bodies, that which stands at its end included.
 /// @param cutoff c/R of the first body @throws as row_impact and row_of
 [[nodiscard]] RowImpact row_impact(const GivenRow& given, const std::vector<double>& speeds, double cutoff,

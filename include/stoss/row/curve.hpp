@@ -25,6 +25,9 @@ using RowCurveObserver = std::function<void(std::size_t index, const RowResult& 
 void row_curve(const Row& row, const std::vector<std::vector<double>>& speeds, const RowCurveOptions& options,
                const RowCurveObserver& observer);
 
+/// Refuses what row_curve would refuse, before anything is computed. @throws InvalidInput as row_curve
+void check(const Row& row, const std::vector<std::vector<double>>& speeds, const RowCurveOptions& options);
+
 /// The least R/c in which two neighbours of a row answer each other, or a body its wall, in R/c of the first body:
 /// cutoffs over it resolve rows of any bodies to the same extent. @throws InvalidInput as row_impact
 [[nodiscard]] double fastest_time_scale(const Row& row, const std::vector<double>& speeds, const Poll& poll = {});

@@ -87,7 +87,7 @@ struct RowWatch {
   double until = 0.0;  ///< R/c of the first body after the first touch; 0: until no bodies can meet any more
   double settled =
       0.0;        ///< or those that can differ in speed by less than this share of the greatest difference at first
-  int every = 1;  ///< steps between two calls
+  int every = 1;  ///< steps between two calls; none while all bodies fly freely, but at both ends
   const RowState* start = nullptr;  ///< with which the bodies begin, in place of Row::vibration
   std::function<void(const RowSnapshot&)> observer{};
 };

@@ -12,7 +12,7 @@ from stoss import _core
 from stoss._arguments import numbers, refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import BODIES, PARTNERS, Body, shown
-from stoss.bodies._encounter import material_warnings_of, named
+from stoss.bodies._encounter import named
 from stoss.bodies._faces import has_rate, is_rough
 from stoss.bodies._kinds import Specification
 from stoss.bodies._state import FIELDS, State, choose_state
@@ -50,15 +50,13 @@ class Line(NamedTuple):
             document["vibration"] = [dict(zip(FIELDS, mode)) for mode in self.state[list(FIELDS)].tolist()]
         return document
 
-    def warnings(self, fastest: float) -> list[str]:
-        """All that the core says of the materials of neighbours that meet up to this speed, m/s."""
+    def warnings(self, contacts: NDArray[Any]) -> list[str]:
+        """All that the core says of the materials of neighbours that press each other so in any case."""
         if self.bodies[0].material is None:
             return []
-        said: list[str] = []
-        met = [*self.bodies[1:], *([] if self.against is None else [self.against])]
-        for pair in dict.fromkeys([*zip(self.bodies, met), *([(self.bodies[0], HardWall())] if self.before else [])]):
-            said += material_warnings_of(*pair, fastest)
-        return list(dict.fromkeys(said))
+        work = contacts["max_force"] * contacts["max_compression"]
+        hardest = np.fmax.reduce(work.reshape(-1, work.shape[-1]), axis=0, initial=0.0)
+        return list(self.given().material_warnings(hardest))
 
 
 def choose_line(bodies: Any, before: Any, against: Any, gaps: Any, vibration: State) -> Line:

@@ -14,7 +14,7 @@ from stoss._arguments import arranged, boolean, integer, number
 from stoss._documentation import documented
 from stoss._errors import Interrupted, NotConverged, StossWarning
 from stoss.bodies._bodies import Body
-from stoss.rows._line import Line, Standing, choose_line, choose_speeds, fastest, shown_line
+from stoss.rows._line import Line, Standing, choose_line, choose_speeds, shown_line
 from stoss.bodies._state import State
 from stoss.bodies._walls import HardWall
 from stoss.export._tables import with_error
@@ -232,7 +232,7 @@ def row(
     else:
         warn_of_doubt(result.converged, "rows", 2)
     warn_of_limits(result, 2)
-    for said in line.warnings(float(fastest(line, speeds).max(initial=0.0))):
+    for said in line.warnings(result.contacts):
         warnings.warn(said, StossWarning, stacklevel=2)
     return result
 

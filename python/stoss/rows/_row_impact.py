@@ -15,7 +15,7 @@ from stoss._arguments import arranged, boolean, integer, number, refusal
 from stoss._documentation import documented
 from stoss._errors import InvalidInput, StossWarning
 from stoss.bodies._bodies import Body
-from stoss.rows._line import Standing, choose_line, choose_speeds, fastest, shown_line
+from stoss.rows._line import Standing, choose_line, choose_speeds, shown_line
 from stoss.bodies._state import State
 from stoss.bodies._walls import HardWall
 from stoss.results._progress import waiting
@@ -177,7 +177,7 @@ def row_impact(
             neighbours: for equal balls in c/R. The result has it in c/R of the first body.
         until: How long the row is watched after the first contact, R/c of the first body (with materials:
             s). Default: until no bodies can meet any more, or 20 times as long as contacts last.
-        every: Steps between two times.
+        every: Steps between two times. A free flight of all bodies has none but both its ends.
 
     Examples:
         >>> ball = stoss.Sphere(poisson=0.3)
@@ -211,6 +211,6 @@ def row_impact(
     made |= {"velocities": speeds, "velocities_after": arranged(after, after.shape), **line._asdict()}
     result = RowImpact(**made)
     warn_of_limits(result, 2)
-    for said in line.warnings(float(fastest(line, speeds))):
+    for said in line.warnings(result.contacts):
         warnings.warn(said, StossWarning, stacklevel=2)
     return result

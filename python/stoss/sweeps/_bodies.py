@@ -42,7 +42,7 @@ def without_documents(grid: Specification) -> tuple[Specification, dict[str, str
         documents[named[DIGEST]] = text
         return {**named, **_face(given)}
 
-    bodies = {name: [short(each) for each in grid[name]] for name in ("bodies", "against")}
+    bodies = {name: [short(each) for each in grid[name]] for name in ("bodies", "against") if name in grid}
     return {**grid, **bodies}, documents
 
 

@@ -11,10 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core
-from stoss._arguments import integer, number, refusal
-from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body
-from stoss.bodies._encounter import Against, material_warnings_of, yield_speed_of, yield_warning_of
+from stoss.bodies._encounter import Against, material_warnings_of, refinable, yield_speed_of, yield_warning_of
 from stoss.bodies._kinds import Specification
 from stoss.bodies._solid import Solid, own_units
 from stoss.bodies._state import choose_state
@@ -51,9 +49,18 @@ class Computation:
         self.accuracy = dict(accuracy)
 
     @property
+    def quantities(self) -> Mapping[str, str]:
+        """Dimensions of all that is found."""
+        return QUANTITIES[self.kind]
+
+    @property
     def columns(self) -> tuple[str, ...]:
         """What is found at each point."""
-        return tuple(name for name in QUANTITIES[self.kind] if name not in self.axes)
+        return tuple(name for name in self.quantities if name not in self.axes)
+
+    def contact(self, body: Body, against: Any) -> Any:
+        """What the core computes: it refuses ratios out of range."""
+        return refinable(body, against)
 
     def empty(self, shape: tuple[int, ...]) -> NDArray[Any]:
         """Rows of which nothing is computed: NaN, 0 and False."""
@@ -166,41 +173,6 @@ def _speeds(body: Body, given: NDArray[np.float64]) -> NDArray[np.float64]:
     return own_units(body, "restitution", speed=given)[0]
 
 
-ALONG = ("angle", "tangential", "spin", "second_spin", "friction")
-AXES = ("speed", *ALONG, "temperature", "sample")
-"""In their order."""
-
-
-def kind_of(axes: Sequence[str]) -> type[Computation]:
-    """What has these axes."""
-    return Rules if "friction" in axes else Ensemble if "sample" in axes else Computation
-
-
-def choose_computation(given: Mapping[str, Any]) -> Computation:
-    """What these arguments of a grid ask for; those that were left out are None."""
-    said = {name for name, value in given.items() if value is not None}
-    if {"friction", "temperature"} <= said:
-        raise InvalidInput.out_of_range("friction", "friction and temperature", "one of them")
-    if {"angle", "tangential"} <= said:
-        raise InvalidInput.out_of_range("angle", "angle and tangential", "one of them")
-    chosen = kind_of(["sample" if name == "temperature" else name for name in said])
-    needs = dict.fromkeys(ALONG, "friction") | dict.fromkeys(("samples", *Ensemble.usual), "temperature")
-    for name in sorted(said):
-        key, of = needs.get(name), "friction" if chosen is Rules else "temperature"
-        if key is not None and key not in said:
-            raise refusal(name, given[name], f"only together with {key}")
-        if name in Computation.usual and name not in chosen.usual:
-            raise refusal(name, given[name], f"none together with {of}, whose accuracy is {list(chosen.usual)[-1]}")
-    accuracy: dict[str, float | int] = {}
-    for name, usual in chosen.usual.items():
-        value = usual if given[name] is None else given[name]
-        accuracy[name] = integer(name, value) if name == "seed" else number(name, value)
-    if accuracy.get("seed", 0) < 0:
-        raise refusal("seed", given["seed"], "0 to 2147483647")
-    axes = [name for name in AXES if name in said or name == "sample" and chosen is Ensemble]
-    return chosen(axes, accuracy)
-
-
 MOST_WARNINGS = 4
 """Of losses in the materials of different cases, in one sweep."""
 
@@ -210,9 +182,12 @@ class Case(NamedTuple):
 
     place: tuple[int, int]
     body: Body
-    against: Against
+    against: Any
+    """What it meets; of a row all of it."""
     inputs: Specification
     key: str
+    pairs: Sequence[tuple[Body, Any]]
+    """Who meets whom."""
 
 
 def material_warnings(cases: Sequence[Case], fastest: float) -> list[str]:
@@ -221,7 +196,7 @@ def material_warnings(cases: Sequence[Case], fastest: float) -> list[str]:
     said = [yields] if yields else []
     others: dict[str, int] = {}
     for case in cases:
-        for text in material_warnings_of(case.body, case.against, fastest):
+        for text in dict.fromkeys(said for pair in case.pairs for said in material_warnings_of(*pair, fastest)):
             if "yields above" not in text:
                 others[text] = others.get(text, 0) + 1
     said += list(others)[:MOST_WARNINGS]
@@ -230,12 +205,12 @@ def material_warnings(cases: Sequence[Case], fastest: float) -> list[str]:
 
 
 def _yield_warning(cases: Sequence[Case], fastest: float) -> str:
-    onsets = [(yield_speed_of(case.body, case.against) or math.inf, place) for place, case in enumerate(cases)]
+    onsets = [min((yield_speed_of(*pair) or math.inf, k) for k, pair in enumerate(case.pairs)) for case in cases]
     beyond = sum(onset < fastest for onset, _ in onsets)
     if beyond == 0:
         return ""
-    first = cases[min(onsets)[1]]
-    said = yield_warning_of(first.body, first.against, fastest)
+    worst = min(range(len(cases)), key=lambda place: onsets[place][0])
+    said = yield_warning_of(*cases[worst].pairs[onsets[worst][1]], fastest)
     return said if len(cases) == 1 else f"{beyond} of {len(cases)} cases beyond yielding; in the worst {said}"
 
 
@@ -244,4 +219,4 @@ def case_of(place: tuple[int, int], body: Body, against: Against, accuracy: Accu
     met = reference(against) if isinstance(against, Solid) else of_wall(against)
     inputs: Specification = {"body": reference(body), "against": met, **accuracy}
     text = json.dumps(inputs, sort_keys=True)
-    return Case(place, body, against, inputs, hashlib.sha256(text.encode()).hexdigest()[:16])
+    return Case(place, body, against, inputs, hashlib.sha256(text.encode()).hexdigest()[:16], [(body, against)])

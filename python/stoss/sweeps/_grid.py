@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import math
 import os
 from types import MappingProxyType
 from typing import Any, Iterator, Mapping, Union
@@ -11,20 +10,19 @@ from typing import Any, Iterator, Mapping, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from stoss import _core
-from stoss._arguments import integer, numbers, open_file, refusal
+from stoss._arguments import integer, open_file, refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body
-from stoss.bodies._encounter import choose_against, choose_body, refinable
+from stoss.bodies._encounter import choose_against, choose_body
 from stoss.bodies._kinds import KINDS, Specification
 from stoss.bodies._solid import describe
 from stoss.bodies._walls import Unbounded, Wall
 from stoss.export import _files
-from stoss.sweeps._computation import Case, Computation, case_of, choose_computation
-from stoss.sweeps._specification import Choices, beside, choices, expanded, make, with_folder
-
-MOST_CASES = 100_000  # bodies times partners
-MOST_VALUES = 1_000_000
+from stoss.sweeps._choice import choose_computation
+from stoss.sweeps._computation import Case, Computation, case_of
+from stoss.sweeps._given import axis, count, require_moderate, several, specifications
+from stoss.sweeps._row_cases import count_of, documents_of, row_case, row_of
+from stoss.sweeps._specification import beside, make, with_folder
 
 Given = Union[Body, Unbounded, Wall, str, Mapping[str, Any]]
 
@@ -46,6 +44,10 @@ class Grid:
         against (like bodies, optional): What they meet: 'wall', 'same', a HardWall, a body, a HalfSpace
             or HalfPlane, a mapping, or a sequence of them. A mapping that names no Poisson's ratio takes
             that of the first body.
+        row (mapping, path, or a list of these): In place of both, bodies on a line, as in `stoss.row`: a
+            document of a row, whose `bodies` may have lists and series as above, or the name of its
+            file. ``count`` repeats them to so many, and ``moving`` (1) of them have the speed, from the
+            left. Values are those of each body: `velocity_after` and the quantities of a `Row`.
         speed (array_like): Speed of approach, c of the first body (with materials: m/s).
         tolerance, absolute (float, optional): As of `stoss.restitution`, or of `stoss.oblique`.
         friction, angle, tangential, spin, second_spin (array_like, optional): As of `stoss.oblique`.
@@ -67,13 +69,16 @@ class Grid:
         (2, 3, 5)
         >>> stoss.Grid(bodies=stoss.Sphere(poisson=0.3), speed=0.01, friction=[0.1, 0.3], angle="lin:0:80:9")
         Grid(1 bodies, 1 partners, 1 speeds, 9 angles, 2 frictions)
+        >>> stoss.Grid(row={"bodies": [{"kind": "sphere", "poisson": [0.2, 0.3]}], "count": 5}, speed=[0.01, 0.1])
+        Grid(2 rows, 2 speeds, 5 bodies in each)
     """
 
     def __init__(
         self,
         *,
-        bodies: Given | Any,
-        against: Given | Any = "wall",
+        bodies: Given | Any = None,
+        against: Given | Any = None,
+        row: Mapping[str, Any] | str | os.PathLike[str] | Any = None,
         speed: ArrayLike | str,
         tolerance: float | None = None,
         absolute: float | None = None,
@@ -89,33 +94,55 @@ class Grid:
         error: float | None = None,
     ) -> None:
         given: dict[str, Any] = {
+            "bodies": bodies, "against": against, "row": row,
             "speed": speed, "tolerance": tolerance, "absolute": absolute, "friction": friction, "angle": angle,
             "tangential": tangential, "spin": spin, "second_spin": second_spin, "temperature": temperature,
             "samples": samples, "highest": highest, "seed": seed, "error": error,
         }  # fmt: skip
-        first, second = _several("bodies", bodies), _several("against", against)
         self.computation: Computation = choose_computation(given)
         self.tolerance, self.absolute = map(self.computation.accuracy.get, ("tolerance", "absolute"))
-        count = 1000 if samples is None else integer("samples", samples)
-        axes = {name: _axis(name, given[name]) for name in self.computation.axes if name != "sample"}
-        lengths = {name: each.size for name, each in axes.items()}
+        axes = {name: axis(name, given[name]) for name in self.computation.axes if given.get(name) is not None}
         if "sample" in self.computation.axes:
-            lengths["sample"] = count
-        _require_moderate(_count(first), _count(second), lengths)
-        if "sample" in lengths:
-            axes["sample"] = np.arange(count, dtype=np.float64)
-        self.axes: Mapping[str, NDArray[np.float64]] = MappingProxyType(axes)
-        self.bodies: tuple[Body, ...] = tuple(_first(each) for each in _specifications("bodies", first))
-        self.against: tuple[Specification, ...] = tuple(_specifications("against", second))
+            axes["sample"] = np.arange(1000 if samples is None else integer("samples", samples), dtype=np.float64)
+        self._cases: tuple[Case, ...]
+        self.axes: Mapping[str, NDArray[np.float64]]
+        self.against: tuple[Specification, ...]
+        if row is None:
+            self._take_pairs(bodies, "wall" if against is None else against, axes)
+        else:
+            self._take_rows(row, axes)
+        self._check()
+
+    def _take_pairs(self, bodies: Any, against: Any, axes: dict[str, NDArray[np.float64]]) -> None:
+        first, second = several("bodies", bodies), several("against", against)
+        require_moderate(count(first), count(second), {name: each.size for name, each in axes.items()})
+        self.axes = MappingProxyType(axes)
+        self.bodies: tuple[Body, ...] = tuple(_first(each) for each in specifications("bodies", first))
+        self.against = tuple(specifications("against", second))
+        self._require_units()
+        self._cases = tuple(self._found())
+
+    def _take_rows(self, row: Any, axes: dict[str, NDArray[np.float64]]) -> None:
+        documents = documents_of(row)
+        axes["number"] = np.arange(count_of(documents), dtype=np.float64)
+        require_moderate(len(documents), 1, {name: each.size for name, each in axes.items()})
+        self.axes = MappingProxyType(axes)
+        accuracy, rows = self.computation.accuracy, [row_of(each) for each in documents]
+        self._cases = tuple(row_case((i, 0), each, accuracy) for i, each in enumerate(rows))
+        self.bodies = tuple(case.body for case in self._cases)
+        self.against = ({"kind": "row"},)
+        self._require_units()
+
+    def _require_units(self) -> None:
         if len({body.material is None for body in self.bodies}) > 1:
             raise InvalidInput.out_of_range(
                 "bodies", "some with a material", "all or none", "speeds are in m/s or in c"
             )
-        self._cases = tuple(self._found())
-        self._check()
 
     def __repr__(self) -> str:
         bodies, partners, *lengths = self.shape
+        if "number" in self.axes:
+            return f"Grid({bodies} rows, {lengths[0]} speeds, {lengths[1]} bodies in each)"
         along = "".join(f", {length} {name}s" for name, length in zip(self.axes, lengths))
         return f"Grid({bodies} bodies, {partners} partners{along})"
 
@@ -153,21 +180,24 @@ class Grid:
 
     def to_dict(self) -> dict[str, Any]:
         """Return all inputs in plain Python types, from which `from_dict` makes an equal grid."""
-        along = {name: each.tolist() for name, each in self.axes.items() if name != "sample"}
+        along = {name: each.tolist() for name, each in self.axes.items() if name not in ("sample", "number")}
         samples = {"samples": self.axes["sample"].size} if "sample" in self.axes else {}
         bodies = {"bodies": [describe(body) for body in self.bodies], "against": list(self.against)}
+        if "number" in self.axes:
+            bodies = {"row": [case.inputs["row"] for case in self._cases]}
         return {**bodies, **along, **samples, **self.computation.accuracy}
 
     @classmethod
     def from_dict(cls, given: Mapping[str, Any]) -> Grid:
         """Make a grid of the inputs as `to_dict` returns them, or as a file has them, with its `format`."""
-        known = set(cls.__init__.__kwdefaults__ or {}) | {"format", "bodies", "speed"}
+        known = set(cls.__init__.__kwdefaults__ or {}) | {"format", "speed"}
         if isinstance(given, Mapping) and "format" in given:
             _files.require("format", given["format"], _files.GRID)
-        if not isinstance(given, Mapping) or not {"bodies", "speed"} <= set(given) <= known:
+        there = set(given) if isinstance(given, Mapping) else set()
+        if not ("speed" in there and {"bodies", "row"} & there and there <= known):
             got = sorted(map(str, given)) if isinstance(given, Mapping) else given
-            besides = ", ".join(sorted(known - {"format", "bodies", "speed"}))
-            raise refusal("grid", got, f"bodies and speed, and besides {besides}")
+            besides = ", ".join(sorted(known - {"format", "bodies", "row", "speed"}))
+            raise refusal("grid", got, f"bodies or row, and speed, and besides {besides}")
         return cls(**{name: value for name, value in given.items() if name != "format"})
 
     @classmethod
@@ -185,6 +215,8 @@ class Grid:
                 raise InvalidInput.out_of_range("grid", f"'{os.fspath(path)}'", "TOML", error) from None
         folder = os.path.dirname(os.fspath(path))
         beside = {name: with_folder(given[name], folder) for name in ("bodies", "against") if name in given}
+        if isinstance(given.get("row"), str):
+            beside["row"] = os.path.join(folder, given["row"])
         return cls.from_dict({**given, **beside})
 
     def _found(self) -> Iterator[Case]:
@@ -200,8 +232,8 @@ class Grid:
             if case.key in seen:
                 raise InvalidInput.out_of_range("grid", f"{case.body!r} against {case.against!r} twice", "once")
             seen.add(case.key)
-            # `refinable` refuses ratios out of range.
-            self.computation.check(case.body, refinable(case.body, case.against), tuple(self.axes.values()))
+            contact = self.computation.contact(case.body, case.against)
+            self.computation.check(case.body, contact, tuple(self.axes.values()))
 
 
 def _of_file(given: Specification) -> bool:
@@ -210,41 +242,3 @@ def _of_file(given: Specification) -> bool:
 
 def _first(given: Specification) -> Body:
     return choose_body(make("bodies", given), None, rigid=True)
-
-
-def _several(name: str, given: Any) -> list[tuple[Any, Choices]]:
-    """One body or partner or several, given as objects, words or mappings, each with what is left to choose."""
-    several = given if isinstance(given, (list, tuple, np.ndarray)) else [given]
-    return [(each, choices(name, each)) for each in several]
-
-
-def _count(several: list[tuple[Any, Choices]]) -> int:
-    return sum(math.prod(map(len, left)) for _, left in several)
-
-
-def _require_moderate(bodies: int, partners: int, lengths: Mapping[str, int]) -> None:
-    """Refuse a grid that is too large before its cases are made."""
-    cases, values = bodies * partners, bodies * partners * math.prod(lengths.values())
-    for got, name, most in ((cases, "cases", MOST_CASES), (values, "values", MOST_VALUES)):
-        if got > most:
-            of = ", ".join([f"{bodies} bodies, {partners} partners", *(f"{n} {each}s" for each, n in lengths.items())])
-            raise InvalidInput.out_of_range("grid", f"{got} {name} ({of})", most, "make several grids of it")
-
-
-def _specifications(name: str, several: list[tuple[Any, Choices]]) -> Iterator[Specification]:
-    if _count(several) == 0:
-        raise InvalidInput.out_of_range(name, "none", "at least one", "the grid is empty")
-    for each, left in several:
-        yield from expanded(name, each, left)
-
-
-def _axis(name: str, given: Any) -> NDArray[np.float64]:
-    """The numbers along an axis, each once."""
-    values = numbers(name, _core.series(name, given) if isinstance(given, str) else given).ravel()
-    if values.size == 0:
-        raise InvalidInput.out_of_range(name, "none", "at least one", "the grid is empty")
-    each, count = np.unique(values[~np.isnan(values)], return_counts=True)
-    if np.any(count > 1):
-        raise InvalidInput.out_of_range(name, f"{each[count > 1].tolist()[0]!r} twice", "once")
-    values.flags.writeable = False
-    return values

@@ -17,15 +17,13 @@ import numpy as np
 
 from stoss import _core
 from stoss._errors import InvalidInput
-from stoss.bodies._encounter import choose_against, refinable
 from stoss.bodies._kinds import Specification
 from stoss.export._tables import cell, known
 from stoss.sweeps import _store
-from stoss.sweeps._bodies import resolved
-from stoss.sweeps._computation import Accuracy, Case, Computation, Range, Tick, case_of, kind_of
+from stoss.sweeps._choice import case_of_inputs, kind_of
+from stoss.sweeps._computation import Accuracy, Case, Computation, Range, Tick
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._rows import Layout, Row, with_checksum
-from stoss.sweeps._specification import beside, make
 
 OFTEN = 1.0
 """Seconds after which this process sends rows to the disk itself: after each row or task it would wait too often."""
@@ -223,9 +221,8 @@ def fill(
 
 def _fill(worker: Worker, computation: Computation, path: Path, piece: Piece, threads: int, tick: Tick | None) -> int:
     inputs, key, points = piece
-    body = make("body", resolved(inputs["body"], path))
-    against = choose_against(body, beside(resolved(inputs["against"], path), body))
-    if case_of((0, 0), body, against, computation.accuracy).key != key:
+    case = case_of_inputs(inputs, computation.accuracy, path)
+    if case.key != key:
         raise InvalidInput.out_of_range(
             "grid", f"another case {key} of a worker", "the same", "all must have the same stoss"
         )
@@ -241,5 +238,5 @@ def _fill(worker: Worker, computation: Computation, path: Path, piece: Piece, th
         if tick is not None:
             tick()
 
-    computation.compute(body, refinable(body, against), points, threads, rows, keep)
+    computation.compute(case.body, computation.contact(case.body, case.against), points, threads, rows, keep)
     return done

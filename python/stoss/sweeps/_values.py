@@ -17,7 +17,6 @@ from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._solid import describe
 from stoss.results._distribution import summary_of
-from stoss.results._quantities import QUANTITIES
 from stoss.results._result import Column, Result, unit
 from stoss.results._si import si_name
 from stoss.sweeps import _store
@@ -33,9 +32,9 @@ class Sweep(Result):
     """The values of a sweep, in arrays over bodies, partners, speeds and all other axes.
 
     In addition to the attributes below it has all quantities of a `Restitution` by the same names, in
-    units of the first body: `restitution`, `restitution_error`, `lost_fraction`, `contact_time`, …;
-    with friction those of an `ObliqueRestitution`, and of ensembles those of the samples of a
-    `RestitutionDistribution`.
+    units of the first body: `restitution`, `restitution_error`, `lost_fraction`, `contact_time`, …; with
+    friction those of an `ObliqueRestitution`, of ensembles those of the samples of a
+    `RestitutionDistribution`, and of rows those of a `Row` for each of its bodies.
     A value that is not computed yet is NaN, 0 or False there. Tables, as of `to_csv` and `to_dataframe`, have
     a row for each value, with the names of the body and of what it meets; data sets of xarray have
     the dimensions body, against, speed and so on, as the file of `to_netcdf`.
@@ -104,7 +103,7 @@ class Sweep(Result):
 
     def _quantities(self) -> dict[str, str]:
         """Dimensions of what was found."""
-        known = QUANTITIES[self.grid.computation.kind]
+        known = self.grid.computation.quantities
         return {name: known[name] for name in self.grid.computation.columns}
 
     def _derived(self) -> dict[str, Any]:
@@ -136,8 +135,12 @@ class Sweep(Result):
 
     def _labels(self) -> dict[str, Column]:
         """What the bodies are called, and what they meet."""
-        called = {"body": map(describe, self.grid.bodies), "against": self.grid.against}
-        return {name: np.array([label(each) for each in several], dtype=object) for name, several in called.items()}
+        if "number" in self.grid.axes:
+            called = {"body": [case.against.label() for case in self.grid.cases()], "against": ["row"]}
+        else:
+            called = {"body": [label(describe(each)) for each in self.grid.bodies],
+                      "against": [label(each) for each in self.grid.against]}  # fmt: skip
+        return {name: np.array(several, dtype=object) for name, several in called.items()}
 
     def _of_bodies(self) -> dict[str, Column]:
         return {f"body_{name}": each for name, each in numbers_of_bodies(self.grid.bodies).items()}

@@ -180,6 +180,22 @@ void ResidualMotion::move(const std::vector<double>& displacement, const std::ve
   if (lossy_) lose(displacement, force);
 }
 
+bool ResidualMotion::is_still(const std::vector<double>& displacement, double negligible) const {
+  const std::vector<double>& strain = lossy_ ? strain_.elastic() : displacement;
+  return std::all_of(strain.begin(), strain.end(), [&](double each) { return std::abs(each) <= negligible; });
+}
+
+void ResidualMotion::rest(double time) {
+  for (auto* each : {&mass_displacement_, &mass_velocity_, &mass_acceleration_, &stretch_}) {
+    std::fill(each->begin(), each->end(), 0.0);
+  }
+  if (!lossy_) return;
+  for (CreepMemory* each : {&strain_, &mass_strain_, &stress_}) each->fade(time);
+  for (auto* each : {&spring_force_, &before_, &reaction_}) std::fill(each->begin(), each->end(), 0.0);
+  displacement_ = strain_.crept();
+  mass_displacement_ = mass_strain_.crept();
+}
+
 void ResidualMotion::lose(const std::vector<double>& displacement, const std::vector<double>& force) {
   kernels::multiply_transposed(matrices_->reaction.data(), nodes_, matrices_->masses, 0, nodes_,
                                mass_acceleration_.data(), reaction_.data());

@@ -46,6 +46,12 @@ class ResidualMotion {
   /// Ends it with the displacement u and the force f.
   void move(const std::vector<double>& displacement, const std::vector<double>& force);
 
+  /// Whether the springs hold nothing but what creeps back: their elastic strain is below a limit.
+  [[nodiscard]] bool is_still(const std::vector<double>& displacement, double negligible) const;
+
+  /// Goes on for some time with no force, from where it is still; what has crept fades.
+  void rest(double time);
+
   /// Of a lossy material: K u, the force that would displace the springs at once as they are.
   [[nodiscard]] std::vector<double> crept_force() const { return stress_.crept(); }
 

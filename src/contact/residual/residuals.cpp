@@ -70,6 +70,18 @@ void Residuals::move(const std::vector<double>& displacement, const std::vector<
   }
 }
 
+bool Residuals::is_still(const std::vector<double>& displacement, double negligible) const {
+  if (joined_) return parts_.front().is_still(displacement, negligible);
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    if (!parts_[k].is_still(displacement_[k], negligible)) return false;
+  }
+  return true;
+}
+
+void Residuals::rest(double time) {
+  for (ResidualMotion& each : parts_) each.rest(time);
+}
+
 std::vector<double> Residuals::crept_force(std::size_t body) const {
   for (std::size_t k = 0; lossy_ && k + coats_ < parts_.size(); ++k) {
     if (bodies_[k] == body) return parts_[k].crept_force();

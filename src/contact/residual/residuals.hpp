@@ -26,6 +26,10 @@ class Residuals {
   /// Ends it with the force f, of which the first `count` may be other than 0, and the displacement u.
   void move(const std::vector<double>& displacement, const std::vector<double>& force, std::size_t count);
 
+  /// Whether all parts are, at the displacement u, and their rest after it (ResidualMotion).
+  [[nodiscard]] bool is_still(const std::vector<double>& displacement, double negligible) const;
+  void rest(double time);
+
   /// Of a lossy contact: the force that would displace the modes of one body at once as they are; empty of a rigid one.
   [[nodiscard]] std::vector<double> crept_force(std::size_t body) const;
 

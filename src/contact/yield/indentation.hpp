@@ -39,6 +39,9 @@ class Indentation {
 
   [[nodiscard]] double force() const { return force_; }
 
+  /// Whether it remembers nothing but its dent, and nothing pushes.
+  [[nodiscard]] bool is_still() const { return force_ == 0.0 && !answers_.relaxes(); }
+
   /// Half-width of the contact, R.
   [[nodiscard]] double radius() const;
 

@@ -50,7 +50,7 @@ def test_momentum_and_energy(cradle):
      lambda: stoss.row([stoss.Disk(poisson=0.3)] * 2, speed=[0.01, 0.01], against="wall", gaps=1e-3, tolerance=0.01)),
     (f"{OF_STEEL} --count 2 --speed=-0.1,-0.1 --before wall --tolerance 0.01",
      lambda: stoss.row([STEEL] * 2, speed=[-0.1] * 2, before="wall", tolerance=0.01)),
-    ("row --body sphere --poisson 0.3 --count 2 --speed 0.01 --mode 2,0,energy=0.1,phase=2,of=second --tolerance 0.01",
+    ("row --body sphere --poisson 0.3 --count 2 --speed 0.01 --mode 2,0,energy=0.1,phase=2,body=1 --tolerance 0.01",
      lambda: stoss.row([BALL] * 2, speed=0.01, tolerance=0.01,
                        vibration=stoss.Oscillation(2, 0, energy=0.1, phase=2.0, of=1))),
 ])  # fmt: skip
