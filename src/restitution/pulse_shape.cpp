@@ -100,7 +100,7 @@ SpectrumMarks marks(const ForceHistory& history, double duration) {
 
 ForceHistory hertz_pulse(const Contact& contact, double speed) {
   const Touch met = touch(contact);
-  if (!met.circle || contact.keeps_displacement) return {};
+  if (!met.circle) return {};
   // m δ̈ = −(4/3) δ^{3/2}/(D √curvature), by Runge and Kutta's method; forces over the mass of the first body.
   const double stiffness = 4.0 / 3.0 / (met.softness * std::sqrt(met.curvature)), mass = contact.whole_mass;
   const double unit = whole_mass(*contact.first);

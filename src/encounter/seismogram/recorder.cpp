@@ -44,7 +44,7 @@ bodies::plate::Lamina lamina_of(const Plate& plate, double latest) {
 
 Recorded of_plate(const Plate& plate, const Receiver& receiver, const Instants& instants, const Loads& loads,
                   double duration, const Poll& poll) {
-  constexpr double fastest = 120.0, least = 30.0, most_waves = 1.5e5,
+  constexpr double fastest = 120.0, least = 30.0, most_waves = 8e4,
                    lower = 0.95;  // cutoffs over those of the contact
   const double passing = std::hypot(receiver.distance, receiver.depth) / speeds_below(Solid{plate}).pressure;
   const bodies::plate::Lamina lamina = lamina_of(plate, last_of(instants) + passing);
