@@ -42,10 +42,10 @@ struct Seismogram {
 
 /// Computes how a point of a half-space or a plate moves under the force of an impact (docs/theory/seismograms.md).
 ///
-/// Waves are elastic, and the force has Hertz's pressure on a circle that grows as F^{1/3} to that of the impact.
-/// Errors are sums of four: that of the quadrature, from steps twice as long or waves of the upper half of the
-/// frequencies; that of the force, which its last change by a finer cutoff would move the receiver by; a share of
-/// what the size of the contact does; and what the material may take.
+/// Waves are elastic, and the force has Hertz's pressure on a circle that grows as F^{1/3} to that of the impact. The
+/// error adds up four parts. A smoother force and the waves near the cutoff would change the motion, and so does the
+/// last change of the force by a finer cutoff. Of the size of the contact a share counts, and of the loss in the
+/// material all.
 /// @param pulse of this encounter
 /// @throws InvalidInput unless the second body is a half-space or a plate that a ball meets, with tan δ up to 0.1, and
 /// for a
