@@ -102,12 +102,41 @@ Displaced LastingForce::until(double time) const {
   return sum;
 }
 
-std::vector<Displaced> LastingForce::over_steps(double step, std::size_t count) const {
-  std::vector<Displaced> all(count);
+Displaced LastingForce::twice(double begin, double end, const Displaced& before) const {
+  const auto& rule = numeric::gauss_legendre(6);
+  Displaced sum;
+  const auto add = [&](double time, double weight) {
+    const Displaced its = until(time);
+    sum.normal += weight * (its.normal - before.normal), sum.radial += weight * (its.radial - before.radial);
+  };
+  const auto next = std::upper_bound(intervals_.begin(), intervals_.end(), begin,
+                                     [](double at, const Interval& its) { return at < its.begin; });
+  if (next == intervals_.end() || next->begin >= end) {
+    const double half = 0.5 * (end - begin);
+    for (std::size_t k = 0; k < rule.node.size(); ++k) add(begin + half * (1.0 + rule.node[k]), half * rule.weight[k]);
+    return sum;
+  }
+  // To both sides of an arrival in the root of the time, in which its pole is smooth.
+  for (const double side : {next->begin - begin, next->begin - end}) {
+    for (std::size_t k = 0; k < rule.node.size(); ++k) {
+      const double u = 0.5 * (1.0 + rule.node[k]);
+      add(next->begin - side * u * u, std::abs(side) * u * rule.weight[k]);
+    }
+  }
+  return sum;
+}
+
+std::vector<LastingForce::Step> LastingForce::over_steps(double step, std::size_t count) const {
+  std::vector<Step> all(count);
   Displaced before;
   for (std::size_t i = 0; i < count; ++i) {
-    const Displaced now = until(step * static_cast<double>(i + 1));
-    all[i] = {now.normal - before.normal, now.radial - before.radial};
+    const double begin = step * static_cast<double>(i), end = step * static_cast<double>(i + 1);
+    if (intervals_.empty() || end <= intervals_.front().begin) continue;
+    const Displaced now = until(end), twice_integrated = twice(begin, end, before);
+    Step& its = all[i];
+    its.whole = {now.normal - before.normal, now.radial - before.radial};
+    its.moment = {0.5 * step * its.whole.normal - twice_integrated.normal,
+                  0.5 * step * its.whole.radial - twice_integrated.radial};
     before = now;
   }
   return all;

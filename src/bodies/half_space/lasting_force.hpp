@@ -16,8 +16,13 @@ class LastingForce {
   /// @param latest time up to which it is asked
   LastingForce(const PointForce& answer, double latest, const Poll& poll);
 
-  /// Its integral over each step from t = 0 on: (i step, (i + 1) step).
-  [[nodiscard]] std::vector<Displaced> over_steps(double step, std::size_t count) const;
+  /// ∫G dt over a step, and ∫(t − its middle) G dt.
+  struct Step {
+    Displaced whole, moment;
+  };
+
+  /// Those of all steps from t = 0 on: (i step, (i + 1) step).
+  [[nodiscard]] std::vector<Step> over_steps(double step, std::size_t count) const;
 
  private:
   static constexpr int terms = 12;
@@ -34,6 +39,9 @@ class LastingForce {
   void add(const PointForce& answer, Interval& interval, double begin, double end, int halvings, Displaced& sum,
            const Poll& poll);
   [[nodiscard]] Displaced until(double time) const;
+
+  /// The integral of what `until` is above its value at the beginning.
+  [[nodiscard]] Displaced twice(double begin, double end, const Displaced& before) const;
 
   std::vector<Interval> intervals_;
   double accuracy_ = 0.0;

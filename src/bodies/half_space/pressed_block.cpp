@@ -2,27 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "bodies/half_space/lasting_force.hpp"
+#include <utility>
 
 namespace stoss::bodies::half_space {
 namespace {
 
-/// Σ of the changes of a polygon times the answers at the steps since.
-void convolve(const std::vector<double>& polygon, const Instants& its, const std::vector<Displaced>& answer,
+/// ∫Ḟ G dt of a series F at its steps.
+void convolve(const std::vector<double>& series, const Instants& its, const std::vector<LastingForce::Step>& answer,
               const Displaced& weight, std::vector<double>& normal, std::vector<double>& radial) {
-  const double unit = 1.0 / its.step;
+  std::vector<double> rate(series.size() - 1), turn(series.size() - 1, 0.0);
+  for (std::size_t j = 0; j < rate.size(); ++j) rate[j] = (series[j + 1] - series[j]) / its.step;
+  for (std::size_t j = 1; j + 1 < rate.size(); ++j) turn[j] = 0.5 * (rate[j + 1] - rate[j - 1]) / its.step;
   for (std::size_t i = 0; i < its.outputs; ++i) {
     const std::size_t now = i * its.stride + its.before;
     double along = 0.0, out = 0.0;
-    for (std::size_t j = 0; j + 1 < polygon.size() && j < now; ++j) {
-      const double change = polygon[j + 1] - polygon[j];
-      const Displaced& moved = answer[now - j - 1];
-      along += change * moved.normal;
-      out += change * moved.radial;
+    for (std::size_t j = 0; j < rate.size() && j < now; ++j) {
+      const LastingForce::Step& moved = answer[now - j - 1];
+      along += rate[j] * moved.whole.normal - turn[j] * moved.moment.normal;
+      out += rate[j] * moved.whole.radial - turn[j] * moved.moment.radial;
     }
-    normal[i] += weight.normal * unit * along;
-    radial[i] += weight.radial * unit * out;
+    normal[i] += weight.normal * along;
+    radial[i] += weight.radial * out;
   }
 }
 
@@ -41,9 +41,10 @@ PressedBlock::PressedBlock(double poisson, double distance, double depth, double
   const std::size_t count = instants.outputs * instants.stride + instants.before + 1;
   const double step = instants.step * speed, latest = step * static_cast<double>(count);
   const auto add = [&](bool middle, double at, double normal, double radial) {
-    const LastingForce lasting(PointForce(poisson, at, depth), latest, poll);
-    sources_.push_back(
-        {middle, {normal / (modulus * speed), radial / (modulus * speed)}, lasting.over_steps(step, count)});
+    std::vector<LastingForce::Step> steps =
+        LastingForce(PointForce(poisson, at, depth), latest, poll).over_steps(step, count);
+    for (LastingForce::Step& each : steps) each.moment.normal /= speed, each.moment.radial /= speed;
+    sources_.push_back({middle, {normal / (modulus * speed), radial / (modulus * speed)}, std::move(steps)});
   };
   add(true, distance, 1.0, 1.0);
   if (!(cross_.reach > 0.0)) return;

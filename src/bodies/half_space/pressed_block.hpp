@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bodies/half_space/point_force.hpp"
+#include "bodies/half_space/lasting_force.hpp"
 #include "bodies/surface/pressed.hpp"
 #include "stoss/poll.hpp"
 
@@ -10,8 +10,8 @@ namespace stoss::bodies::half_space {
 
 /// How forces on a small part of the surface of a half-space move one of its points, in its units (E = ρ = 1).
 ///
-/// A force that is a polygon in time moves it by Σ ΔF/Δt ∫G dt over its steps, with the exact answer G to a force that
-/// lasts; velocities are those for a polygon of dF/dt.
+/// In each step the rate of the force is linear, so that ∫Ḟ G dt needs two integrals of the exact answer G to a force
+/// that lasts; velocities have the same with the rate in place of the force.
 class PressedBlock {
  public:
   /// @param largest radius of the loads
@@ -24,7 +24,7 @@ class PressedBlock {
   struct Source {
     bool middle;
     Displaced weight;
-    std::vector<Displaced> answer;  ///< over steps
+    std::vector<LastingForce::Step> answer;  ///< over steps
   };
   Instants instants_;
   Cross cross_;

@@ -84,13 +84,19 @@ TEST(LastingForce, IsTheIntegralOfIt) {
     constexpr std::size_t count = 6000;
     const auto steps = lasting.over_steps(1e-3, count), three = lasting.over_steps(3e-3, count / 3);
     for (std::size_t i = 0; i < three.size(); ++i) {
-      EXPECT_NEAR(steps[3 * i].normal + steps[3 * i + 1].normal + steps[3 * i + 2].normal, three[i].normal, 1e-12);
+      EXPECT_NEAR(steps[3 * i].whole.normal + steps[3 * i + 1].whole.normal + steps[3 * i + 2].whole.normal,
+                  three[i].whole.normal, 1e-12);
+      // The moment about the middle of three.
+      const double sides = 1e-3 * (steps[3 * i + 2].whole.normal - steps[3 * i].whole.normal);
+      const double own =
+          steps[3 * i].moment.normal + steps[3 * i + 1].moment.normal + steps[3 * i + 2].moment.normal + sides;
+      EXPECT_NEAR(three[i].moment.normal, own, 2e-7 * 1e-3) << depth << " " << i;
     }
     for (const double time : {0.8, 0.95, 1.2, 2.0, 5.0}) {  // where it is smooth
       const auto i = static_cast<std::size_t>(time / 1e-3);
       const double middle = (static_cast<double>(i) + 0.5) * 1e-3;
-      EXPECT_NEAR(steps[i].normal / 1e-3, force.at(middle).normal, 2e-6) << depth << " " << time;
-      EXPECT_NEAR(steps[i].radial / 1e-3, force.at(middle).radial, 2e-6) << depth << " " << time;
+      EXPECT_NEAR(steps[i].whole.normal / 1e-3, force.at(middle).normal, 2e-6) << depth << " " << time;
+      EXPECT_NEAR(steps[i].whole.radial / 1e-3, force.at(middle).radial, 2e-6) << depth << " " << time;
     }
   }
 }

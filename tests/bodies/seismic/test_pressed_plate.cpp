@@ -135,6 +135,53 @@ TEST(PressedPlate, MovesBothFacesTogetherInBending) {
   EXPECT_LT(std::abs(middle.radial.back()), 0.1 * std::abs(upper.radial.back()));
 }
 
+TEST(PressedPlate, DoesNotSeeWhereItIsCutIntoLayers) {
+  constexpr double duration = 10.0;
+  const Instants instants = until(60.0, duration);
+  const std::vector<PressedLoad> load{pulse(instants, duration, 0.3)};
+  const Given cut = given_of(Plate{.thickness = 0.7, .poisson = nu, .below = {{1.3, nu}}});
+  const Lamina layers = lamina(Contour::ball, sheets_of(cut, kinds_of(cut, 1e6), 1e6));
+  for (const auto& [distance, depth] : {std::pair{3.0, 0.0}, {3.0, 1.0}, {5.0, 2.0}}) {
+    const auto of = [&, r = distance, z = depth](const Lamina& plate) {
+      return pressed_plate(plate, nu, r, z, instants, load, 60.0 / duration, {}).motions.front();
+    };
+    const Motion one = of(plate_of(2.0)), two = of(layers);
+    EXPECT_LT(apart(one.normal, two.normal), 1e-6 * greatest(one.normal)) << distance << " " << depth;
+    EXPECT_LT(apart(one.radial, two.radial), 1e-6 * greatest(one.normal)) << distance << " " << depth;
+  }
+}
+
+/// A smooth pulse, sin⁴, of a given number of steps.
+Motion on_block(double steps, double distance, double depth) {
+  constexpr double duration = 10.0;
+  const auto stride = static_cast<std::size_t>(steps / 20.0);
+  const Instants instants{duration / steps, 2, stride, 80};
+  PressedLoad load;
+  for (std::size_t j = 0; j < static_cast<std::size_t>(steps) + 5; ++j) {
+    const double phase = pi * (static_cast<double>(j) - 2.0) / steps;
+    load.force.push_back(phase > 0.0 && phase < pi ? std::pow(std::sin(phase), 4) : 0.0);
+    load.radius.push_back(0.0);
+  }
+  return half_space::PressedBlock(nu, distance, depth, 0.0, instants, {}).of(load);
+}
+
+TEST(PressedBlock, ConvergesWithTheStep) {
+  for (const auto& [distance, depth] : {std::pair{6.0, 0.0}, {5.0, 2.0}, {0.0, 6.0}}) {
+    const Motion exact = on_block(2560.0, distance, depth);
+    const Motion coarse = on_block(40.0, distance, depth), fine = on_block(320.0, distance, depth);
+    const double most = greatest(exact.normal), fastest = greatest(exact.normal_velocity);
+    const double order =
+        std::log2(mean_apart(coarse.normal, exact.normal) / mean_apart(fine.normal, exact.normal)) / 3.0;
+    const double of_velocity = std::log2(mean_apart(coarse.normal_velocity, exact.normal_velocity) /
+                                         mean_apart(fine.normal_velocity, exact.normal_velocity)) /
+                               3.0;
+    EXPECT_GT(order, 2.5) << distance << " " << depth;
+    EXPECT_GT(of_velocity, 1.5) << distance << " " << depth;
+    EXPECT_LT(apart(fine.normal, exact.normal), 1e-6 * most) << distance << " " << depth;
+    EXPECT_LT(apart(fine.normal_velocity, exact.normal_velocity), 2e-3 * fastest) << distance << " " << depth;
+  }
+}
+
 TEST(PressedPlate, SeesSeveralLoadsAsEachByItself) {
   constexpr double duration = 10.0;
   const Instants instants = until(40.0, duration);
