@@ -71,6 +71,7 @@ void add_impacts();
 void add_restitutions();
 void add_rods();
 void add_rows();
+void add_seismograms();
 void add_spheres();
 void add_oblique();
 void add_quasistatic();

@@ -37,6 +37,7 @@ int run(std::vector<std::string> arguments) {
   bench::add_oblique();
   bench::add_rods();
   bench::add_rows();
+  bench::add_seismograms();
   bench::add_quasistatic();
   bench::add_predictions();
   bench::add_table();

@@ -65,6 +65,7 @@ inline constexpr Range rule_tolerance{1e-4, 0.5, true, true, "1e-4 to 0.5"};
 inline constexpr Range force_tolerance{1e-5, 0.5, true, true, "1e-5 to 0.5"};
 inline constexpr Range threshold{0.0, 0.9, true, true, "0 to 0.9"};
 inline constexpr Range points{16.0, 1e5, true, true, "16 to 100000"};
+inline constexpr Range place{0.0, 1e6, true, true, "0 to 1e6"};
 inline constexpr Range row_tolerance{1e-6, 1.0, true, true, "1e-6 to 1"};
 inline constexpr Range sample_error{1e-9, 0.5, true, true, "1e-9 to 0.5"};
 inline constexpr Range table_error{1e-7, 0.1, true, true, "1e-7 to 0.1"};

@@ -5,6 +5,7 @@
 
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
+#include "stoss/encounter/seismogram.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/quantities.hpp"
 #include "stoss/prediction/quantities.hpp"
@@ -80,6 +81,9 @@ py::dict quantities() {
   all["oblique"] = listed(oblique_quantities());
   all["prediction"] = listed(prediction_quantities());
   all["bounce"] = listed(bounce_quantities());
+  all["pulse"] = listed(pulse_quantities());
+  all["seismogram"] = listed(seismogram_quantities());
+  all["recorded instant"] = listed(recorded_instant_quantities());
   all["row"] = listed(row_quantities());
   all["row body"] = listed(row_body_quantities());
   all["row contact"] = listed(row_contact_quantities());
@@ -108,6 +112,7 @@ PYBIND11_MODULE(_core, module) {
   stoss::python::bind_oblique_impacts(module);
   stoss::python::bind_prediction(module);
   stoss::python::bind_tables(module);
+  stoss::python::bind_pulse(module);
   stoss::python::bind_row(module);
   stoss::python::bind_rules(module);
   stoss::python::bind_quasistatic(module);

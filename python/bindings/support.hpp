@@ -28,6 +28,7 @@ void bind_restitution(py::module_& module);
 void bind_oblique_impacts(py::module_& module);
 void bind_prediction(py::module_& module);
 void bind_tables(py::module_& module);
+void bind_pulse(py::module_& module);
 void bind_row(py::module_& module);
 void bind_rules(py::module_& module);
 void bind_quasistatic(py::module_& module);

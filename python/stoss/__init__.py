@@ -36,6 +36,8 @@ written.
 `modes`                           the eigenmodes of a disk or a sphere
 `rod_chain`                       rods on a ring that remember their collisions
 `row`, `row_impact`               bodies on a line, as in a cradle: velocities after, motion in time
+`pulse`                           the force of one impact in time, its spectrum, and what a sensor on or
+                                  in a block or a plate records
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
 `Disk`, `Sphere`, `Rod`           bodies
 `ModalBody`                       any body by its modes at a point, from a file
@@ -85,11 +87,13 @@ from stoss.results._oblique_impact import ObliqueImpact, ObliqueTrajectory, obli
 from stoss.results._obliquity import ObliqueLedger
 from stoss.results._pair_table import PairTable, pair_table
 from stoss.results._prediction import Influence, Prediction, predict
+from stoss.results._pulse import Pulse, pulse
 from stoss.results._result import Result
 from stoss.results._rod_chain import RodChain, rod_chain
 from stoss.rows._row import Row, row
 from stoss.rows._row_impact import RowImpact, row_impact
 from stoss.results._rule import CollisionRule
+from stoss.results._seismogram import Seismogram
 from stoss.results._sound import Sound
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._sweep import sweep
@@ -100,12 +104,12 @@ __all__ = [
     "Field", "Fit", "FittedRelaxation", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact",
     "Influence", "Interrupted", "InvalidInput", "Layer", "Material", "Misfit", "ModalBody", "Modes", "NotConverged",
     "ObliqueImpact", "ObliqueLedger", "ObliqueRestitution", "ObliqueTrajectory", "Oscillation",
-    "PairTable", "Plate", "Prediction", "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod",
-    "RodChain", "Row", "RowImpact", "Scales", "Sound", "Sphere", "SphereField", "StossWarning", "Strip", "Sweep", "Table",
+    "PairTable", "Plate", "Prediction", "Pulse", "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod",
+    "RodChain", "Row", "RowImpact", "Scales", "Seismogram", "Sound", "Sphere", "SphereField", "StossWarning", "Strip", "Sweep", "Table",
     "Trajectory", "Wall", "Wave",
     "__version__", "animate", "atlas", "bounce", "calibrate", "collision_rule",
     "fit", "impact", "materials", "merge", "modes", "oblique", "oblique_impact", "open_sweep",
-    "pair_table", "plot", "predict", "quasistatic", "read_csv", "relaxation_of_measurement", "restitution",
+    "pair_table", "plot", "predict", "pulse", "quasistatic", "read_csv", "relaxation_of_measurement", "restitution",
     "restitution_distribution", "restitution_function", "rod_chain", "row", "row_impact", "shifted", "sweep",
     "with_error",
 ]  # fmt: skip

@@ -88,7 +88,10 @@ void fill_series(const std::vector<PulseRun>& runs, double order, int points, Pu
       force = std::max(force, left * difference(runs[k], last, time, window));
       amplitude = std::max(amplitude, left * std::abs(runs[k].history.amplitude(omega) - its));
     }
+    const PulseRun& before = runs[runs.size() - 2];
+    const double left = safety * std::pow(before.cutoff / last.cutoff, order);
     pulse.time.push_back(time), pulse.force.push_back(last.history.at(time)), pulse.force_error.push_back(force);
+    pulse.force_change.push_back(left * (last.history.at(time) - before.history.at(time)));
     pulse.frequency.push_back(omega);
     pulse.amplitude.push_back(its / last.impulse), pulse.amplitude_error.push_back(amplitude / last.impulse);
   }
@@ -123,10 +126,12 @@ Pulse concluded(const std::vector<PulseRun>& runs, double order, const PulseOpti
   pulse.corner_frequency = estimate(runs, order, 0.0, [](const PulseRun& run) { return run.marks.corner; });
   pulse.first_null = estimate(runs, order, 0.0, [](const PulseRun& run) { return run.marks.null; });
   pulse.restitution = estimate(runs, order, 0.0, [](const PulseRun& run) { return run.impact.restitution; });
-  pulse.from_hertz = difference_from_hertz(last.history, probe, speed);
+  const ForceHistory hertz = hertz_pulse(probe, speed);
+  pulse.from_hertz = difference(last.history, hertz);
   pulse.from_sine = difference_from_sine(last.history, last.contact);
   pulse.threshold = options.threshold;
   fill_series(runs, order, options.points, pulse);
+  for (const double time : pulse.time) pulse.hertz.push_back(hertz.time.empty() ? pulse.from_hertz : hertz.at(time));
   pulse.finest = last.impact;
   for (const PulseRun& run : runs) pulse.cutoffs.push_back(run.cutoff), pulse.steps += run.impact.steps;
   return pulse;

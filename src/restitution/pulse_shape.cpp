@@ -98,18 +98,20 @@ SpectrumMarks marks(const ForceHistory& history, double duration) {
   return found;
 }
 
-double difference_from_hertz(const ForceHistory& history, const Contact& contact, double speed) {
+ForceHistory hertz_pulse(const Contact& contact, double speed) {
   const Touch met = touch(contact);
-  if (!met.circle || contact.keeps_displacement) return std::numeric_limits<double>::quiet_NaN();
+  if (!met.circle) return {};
   // m δ̈ = −(4/3) δ^{3/2}/(D √curvature), by Runge and Kutta's method; forces over the mass of the first body.
   const double stiffness = 4.0 / 3.0 / (met.softness * std::sqrt(met.curvature)), mass = contact.whole_mass;
+  const double unit = whole_mass(*contact.first);
   const auto force = [&](double depth) { return depth > 0.0 ? stiffness * depth * std::sqrt(depth) : 0.0; };
   const double deepest = std::pow(1.25 * mass * speed * speed / stiffness, 0.4);
-  const double step = hertzian_duration * deepest / speed / 2000.0;
-  double depth = 0.0, velocity = speed, greatest = 0.0;
-  const double unit = whole_mass(*contact.first), peak = force(deepest) / unit;
-  for (double time = 0.0; depth >= 0.0 && time < 4000.0 * step; time += step) {
-    greatest = std::max(greatest, std::abs(history.at(time) - force(depth) / unit));
+  ForceHistory made;
+  made.step = hertzian_duration * deepest / speed / 2000.0;
+  const double step = made.step;
+  double depth = 0.0, velocity = speed;
+  for (int i = 0; depth >= 0.0 && i < 4000; ++i) {
+    made.time.push_back(step * i), made.force.push_back(force(depth) / unit);
     const auto turn = [&](double x) { return -force(x) / mass; };
     const double k1 = turn(depth), k2 = turn(depth + 0.5 * step * velocity),
                  k3 = turn(depth + 0.5 * step * velocity + 0.25 * step * step * k1),
@@ -117,7 +119,16 @@ double difference_from_hertz(const ForceHistory& history, const Contact& contact
     depth += step * velocity + step * step * (k1 + k2 + k3) / 6.0;
     velocity += step * (k1 + 2.0 * k2 + 2.0 * k3 + k4) / 6.0;
   }
-  return greatest / peak;
+  return made;
+}
+
+double difference(const ForceHistory& history, const ForceHistory& model) {
+  if (model.force.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < model.time.size(); ++i) {
+    greatest = std::max(greatest, std::abs(history.at(model.time[i]) - model.force[i]));
+  }
+  return greatest / *std::max_element(model.force.begin(), model.force.end());
 }
 
 double difference_from_sine(const ForceHistory& history, const ForceHistory::Interval& contact) {

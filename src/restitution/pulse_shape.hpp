@@ -37,8 +37,11 @@ struct SpectrumMarks {
 };
 [[nodiscard]] SpectrumMarks marks(const ForceHistory& history, double duration);
 
-/// Greatest difference from Hertz' pulse of these bodies over its maximum; NaN where they do not touch on a circle.
-[[nodiscard]] double difference_from_hertz(const ForceHistory& history, const Contact& contact, double speed);
+/// Hertz' pulse of these bodies, from first touch on; without instants where they do not touch on a circle.
+[[nodiscard]] ForceHistory hertz_pulse(const Contact& contact, double speed);
+
+/// Greatest difference of the first at the instants of the second, over the maximum of the second; NaN if it has none.
+[[nodiscard]] double difference(const ForceHistory& history, const ForceHistory& model);
 
 /// The same from sin^{3/2} of the same maximum and duration.
 [[nodiscard]] double difference_from_sine(const ForceHistory& history, const ForceHistory::Interval& contact);

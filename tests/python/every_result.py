@@ -160,6 +160,12 @@ RESULTS = {
     "row ringing": (
         lambda: stoss.row([stoss.Sphere(poisson=0.3)] * 2, speed=[0.1], vibration=RINGS, tolerance=1e-2), None),
     "calibrate": (lambda: stoss.calibrate(DROPS, BALL, unknown="radius"), None),
+    "pulse": (lambda: stoss.pulse(BALL, speed=1.0, against=stoss.HalfSpace(material=BAR)), None),
+    "pulse of a disk": (lambda: stoss.pulse(poisson=0.33, speed=0.1, tolerance=0.05), None),
+    "seismogram": (lambda: computed("pulse").at(0.1, points=50), None),
+    "seismogram of a plate": (
+        lambda: stoss.pulse(stoss.Sphere(poisson=0.3), against=stoss.Plate(thickness=2), speed=0.1).at(4, 2, points=20),
+        None),
     "fit": (lambda: stoss.fit(BALL, law="linear", speed=(1, 9)), None),
 }  # fmt: skip
 

@@ -20,7 +20,9 @@ struct PulseOptions {
 /// The force of an impact in time, with its error. Units as in Impact; times from where unexcited bodies would touch.
 struct Pulse {
   std::vector<double> time, force, force_error;
-  std::vector<double> frequency;                   ///< ω, c/R, from 0 to beyond the first null
+  std::vector<double> force_change;  ///< what the last step of the cutoff has changed, times its share in the error
+  std::vector<double> hertz;         ///< force of Hertz' pulse of these bodies; NaN on a line
+  std::vector<double> frequency;     ///< ω, c/R, from 0 to beyond the first null
   std::vector<double> amplitude, amplitude_error;  ///< |∫ F e^{−iωt} dt|, over the impulse at ω = 0
   Estimate peak_force;                             ///< Impact::max_force
   Estimate rise;                                   ///< from the first force to the maximum

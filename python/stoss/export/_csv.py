@@ -22,7 +22,7 @@ from stoss.export._tables import UNKNOWN, with_error
 AXES = {"restitution": "speed", "function": "speed", "quasistatic": "speed", "slow impact": "speed",
         "rayleigh": "speed", "modes": "mode", "trajectory": "time", "bounce": "number", "rod_chain": "time",
         "distribution": "sample", "atlas": "speed", "predict": "speed", "row": "number",
-        "row_impact": "time"}  # fmt: skip
+        "row_impact": "time", "pulse": "time", "seismogram": "time"}  # fmt: skip
 """What the rows of a kind of file run along."""
 
 WHOLE = frozenset(

@@ -12,6 +12,8 @@ column; in your own Axes the text follows your settings. Nothing global is chang
 `oblique`                                         ε_t and ε_n against the angle of incidence
 `oblique_impact`, `grip`                          one of them in time: velocities, forces, stick and
                                                   slip
+`pulse`, `pulse_spectrum`                         force of an impact in time, and its spectrum
+`seismogram`                                      motion of a sensor on a block or a plate
 `oblique_ledger`                                  where the energy is after oblique impacts
 `pair_table`                                      ε(v) of pairs of several ratios of radii
 `distribution`                                    ε of many bodies that vibrate
@@ -52,6 +54,7 @@ from stoss.plot._modes import mode_shape, spectrum
 from stoss.plot._oblique import oblique, oblique_ledger
 from stoss.plot._trajectory import energies, force, grip, half_width, oblique_impact, velocity
 from stoss.plot._prediction import prediction
+from stoss.plot._pulse import pulse, pulse_spectrum, seismogram
 from stoss.plot._relaxation import master_curve
 from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
 from stoss.plot._restitution import restitution
@@ -63,6 +66,6 @@ from stoss.plot._style import PICTURES as PICTURES
 __all__ = [
     "animate", "bounces", "calibration", "cooling", "disk", "distribution", "energies", "force",
     "function", "grip", "half_width", "ledger", "master_curve", "mode_shape", "oblique", "oblique_impact",
-    "oblique_ledger", "pair_table", "prediction", "rayleigh", "restitution", "restitution_histogram", "row", "row_impact",
-    "sequence", "slow_impact", "spectrum", "sphere", "static_contact", "stress", "velocity", "wave",
+    "oblique_ledger", "pair_table", "prediction", "pulse", "pulse_spectrum", "rayleigh", "restitution", "restitution_histogram", "row", "row_impact",
+    "seismogram", "sequence", "slow_impact", "spectrum", "sphere", "static_contact", "stress", "velocity", "wave",
 ]  # fmt: skip

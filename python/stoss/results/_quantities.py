@@ -52,6 +52,7 @@ QUANTITIES: Mapping[str, Mapping[str, str]] = MappingProxyType(
 UNITS = {
     "length": ("R", "m"), "inverse length": ("1/R", "1/m"), "time": ("R/c", "s"), "speed": ("c", "m/s"),
     "frequency": ("c/R", "rad/s"), "energy": ("mc²", "J, of a disk J/m"),
+    "momentum": ("mc", "N s, of a disk N s/m"),
     "force": ("mc²/R: πRE of a disk, (4π/3)R²E of a sphere", "N, of a disk N/m"),
 }  # fmt: skip
 """Units as docstrings have them: those of a disk or a sphere, and those in SI."""
@@ -110,7 +111,9 @@ CLASSES: Mapping[str, Made] = {
     "ObliqueQuantities": Made("oblique", "many"),
     "ObliqueSnapshotQuantities": Made("oblique snapshot", "column"),
     "PredictionQuantities": Made("prediction", "many", in_si=False, renamed={"yield": "yielding"}),
+    "PulseQuantities": Made("pulse", "one"),
     "RayleighQuantities": Made("point rayleigh", "many", optional=("mean_lost_fraction", "max_radius")),
+    "RecordedInstantQuantities": Made("recorded instant", "column"),
     "RestitutionQuantities": Made("restitution", "many"),
     "RowQuantities": Made("row", "many"),
     "SampleQuantities": Made("sample", "column"),

@@ -101,6 +101,16 @@ Depths<T> DepthResponse::at(double wave_number, T z, double deepest) const {
   return depths;
 }
 
+bool DepthResponse::are_on_faces() const {
+  return std::all_of(places_.begin(), places_.end(), [](const Place& place) { return place.pieces == 0; });
+}
+
+Depths<double> DepthResponse::on_faces() const {
+  Depths<double> depths;
+  for (const Place& place : places_) depths.transfer.push_back({{{{place.along, 0.0}, {0.0, place.into}}}});
+  return depths;
+}
+
 template Depths<double> DepthResponse::at<double>(double, double, double) const;
 template Depths<Complex> DepthResponse::at<Complex>(double, Complex, double) const;
 
@@ -120,7 +130,8 @@ std::vector<DepthResponse> all_of(const std::vector<Sheets>& parts, const std::v
 /// How one wave moves all depths. Along k it is the motion towards −k that goes with motion into the depth
 /// (PlaneWaves).
 Eigen::VectorXd profile(const DepthResponse& response, double k, const Amplitude& wave) {
-  const Depths<double> depths = response.at<double>(k, wave.omega * wave.omega, as_deep_as_it_is);
+  const Depths<double> depths =
+      response.are_on_faces() ? response.on_faces() : response.at<double>(k, wave.omega * wave.omega, as_deep_as_it_is);
   Eigen::VectorXd all(2 * static_cast<Index>(depths.transfer.size()));
   for (std::size_t i = 0; i < depths.transfer.size(); ++i) {
     for (int row = 0; row < 2; ++row) {

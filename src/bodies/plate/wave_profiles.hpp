@@ -38,6 +38,10 @@ class DepthResponse {
   template <typename T>
   [[nodiscard]] Depths<T> at(double wave_number, T z, double deepest) const;
 
+  /// Of depths on the upper face, or its mirror image, transfers alone, which are the same at all z.
+  [[nodiscard]] bool are_on_faces() const;
+  [[nodiscard]] Depths<double> on_faces() const;
+
  private:
   struct Piece {
     std::size_t sheet;

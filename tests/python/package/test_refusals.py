@@ -18,6 +18,7 @@ HIT = stoss.impact(poisson=0.33, speed=0.1, cutoff=6)
 HEARD = stoss.impact(GLASS, speed=1.0, cutoff=4)
 WAVES = stoss.impact(BALL, against=stoss.HalfSpace(), speed=0.1, cutoff=4)
 SLIP = stoss.oblique_impact(BALL, speed=0.1, angle=20, friction=0.3, cutoff=6)
+STRUCK = stoss.pulse(BALL, against=stoss.HalfSpace(), speed=0.1)
 MODES = stoss.modes(poisson=0.33, cutoff=6)
 FUNCTION = stoss.restitution_function(BALL, speed=(0.05, 0.1), error=0.05)
 PAIRS = stoss.pair_table(poisson=0.33, speed=(0.05, 0.1), ratio=(1, 1.2), error=0.05)
@@ -47,6 +48,8 @@ CALLS = {
     "chain": (stoss.rod_chain, {"rods": RODS, "circumference": 9, "temperature": 1, "collisions": 9}),
     "row": (stoss.row, {"bodies": [BALL] * 2, **ONE, "tolerance": 0.1}),
     "row impact": (stoss.row_impact, {"bodies": [BALL] * 2, **ONE, "cutoff": 6}),
+    "pulse": (stoss.pulse, {"body": BALL, **ONE}),
+    "seismogram": (STRUCK.at, {"distance": 5, "points": 9}),
     "trajectory": (HIT.trajectory, {}),
     "oblique trajectory": (SLIP.trajectory, {}),
     "field": (HIT.field, {"time": 1, "radius": [0.5, 1], "angle": [0, 1]}),
@@ -125,7 +128,7 @@ IN_PLACE_OF = {"poisson": "body", "body": "poisson", "height": "speed", "gravity
                "velocities": "temperature", "angle": "tangential"}  # fmt: skip
 LIMITS = {(question, name): limits for question, name, *limits in stoss._core.inputs()}
 QUESTIONS = {"oblique impact": ("oblique", "impact"), "function": ("table",), "pair table": ("table",),
- "rule": ("table",), "row impact": ("row",)}
+ "rule": ("table",), "row impact": ("row",), "seismogram": ("pulse",)}
 
 
 def beyond(name, low, high, low_included, high_included):

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import stoss
 
-OPAQUE = ("Contact", "Encounter", "Frames", "GivenRow", "Impact", "ObliqueImpact", "PairTable",
+OPAQUE = ("Contact", "Encounter", "Frames", "GivenRow", "Impact", "ObliqueImpact", "PairTable", "Pulse",
           "RefinableContact", "RestitutionFunction", "RodChain", "RuleTable", "SlowLaw")  # fmt: skip
 PYPROJECT = Path(__file__).parents[3] / "pyproject.toml"
 

@@ -56,6 +56,8 @@ PICTURES = {
     "pair_table": (lambda: computed("pair table"), {"ratio": [1, 1.5]}, ("speed of approach v / c", "restitution ε",
      "ratio 1", "ratio 1.5")),
     "prediction": (lambda: computed("predict-block"), {}, ()),
+    "pulse": (lambda: computed("pulse"), {}, ("force F / kN", "Hertz")),
+    "pulse_spectrum": (lambda: computed("pulse"), {}, ("amplitude / impulse", "corner", "first null")),
     "rayleigh": (lambda: computed("rayleigh-ball"), {}, ("lost fraction 1 − ε²", "speed v / (m/s)")),
     "restitution": (lambda: computed("curve"), {"quantity": "lost_fraction"}, ("speed v / c", "lost fraction 1 − ε²",
      "ν = 0.2", "ν = 0.33")),
@@ -63,6 +65,7 @@ PICTURES = {
      "mean")),
     "row": (lambda: computed("row"), {}, ("velocity / (m/s)", "body", "before", "after")),
     "row_impact": (lambda: computed("row motion"), {}, ("velocity / c", "body", "time t / (R/c)", "body 0")),
+    "seismogram": (lambda: computed("seismogram"), {}, ("normal", "radial")),
     "sequence": (lambda: stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5), {"count": 3}, ("t = −0.80 R/c", "3.97",
      "8.74")),
     "slow_impact": (lambda: computed("slow impacts"), {}, ("speed v / c", "contact time τ / (R/c)")),
@@ -136,7 +139,7 @@ def test_methods_draw_the_same():
     for name in ("bounce", "chain", "distribution", "function", "modes", "pair table", "curve", "static contact",
      "slow impacts",
                  "trajectory of a disk", "oblique trajectory", "oblique impact", "impact", "predict-block",
-                  "rayleigh-ball", "row", "rows", "row motion"):  # fmt: skip
+                  "rayleigh-ball", "row", "rows", "row motion", "pulse", "seismogram of a plate"):  # fmt: skip
         figure, ax = pyplot.subplots()
         assert computed(name).plot(ax) is ax and any(words(figure)), name
     computed("empty").plot().figure.canvas.draw()

@@ -22,6 +22,7 @@ WAITING = {
         BALL, speed=0.05, angle=40, friction=0.3, cutoff=10, **more)),
     "pair_table": ("_pair_table", lambda **more: stoss.pair_table(
         DISK, speed=(0.1, 0.11), ratio=(1, 1.1), error=0.05, **more)),
+    "pulse": ("_pulse", lambda **more: stoss.pulse(BALL, speed=0.1, **more)),
     "predict": ("_prediction", lambda **more: stoss.predict(GLASS, speed=0.01, tolerance=0.1, **more)),
     "restitution_function": ("_function", lambda **more: stoss.restitution_function(
         BALL, speed=(0.1, 0.11), error=0.05, **more)),
