@@ -19,6 +19,11 @@ double sum_of(const std::vector<double>& x, std::size_t count) {
   return std::accumulate(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(count), 0.0);
 }
 
+/// Compliance of a node alone.
+double own_of(const FactoredCompliance& compliance, std::size_t i) {
+  return compliance.matrix().data()[i * (compliance.size() + 1)];
+}
+
 }  // namespace
 
 RoughNodes::RoughNodes(std::shared_ptr<const FactoredCompliance> compliance)
@@ -34,7 +39,7 @@ RoughNodes::RoughNodes(std::shared_ptr<const FactoredCompliance> compliance)
 std::size_t RoughNodes::begin(const EdgeLaw& law, const std::vector<double>& q) {
   std::size_t end = 1;
   for (std::size_t i = 0; i < q.size(); ++i) {
-    state_.closure[i] = law.first_closure(i, -q[i], compliance_->matrix()(0, 0));
+    state_.closure[i] = law.first_closure(i, -q[i], own_of(*compliance_, 0));
     change_[i] = bend_[i] = jerk_[i] = 0.0;
     if (state_.closure[i] > begins) end = i + 1;
   }
@@ -46,7 +51,7 @@ std::size_t RoughNodes::begin(const EdgeLaw& law, const std::vector<double>& q) 
 std::size_t RoughNodes::predict(const EdgeLaw& law) {
   constexpr double most = 1.0;  // of t
   const std::vector<double>& t = state_.closure;
-  const double own = compliance_->matrix()(0, 0);
+  const double own = own_of(*compliance_, 0);
   std::size_t end = 1;
   for (std::size_t i = 0; i < t.size(); ++i) {
     before_[i] = t[i];
@@ -200,7 +205,7 @@ bool RoughNodes::solve(const EdgeLaw& law, const std::vector<double>& q, std::ve
       if (state_.closure[i] > 0.0) joined = i + 1;
     }
     for (std::size_t i = end; i < joined; ++i) {
-      state_.set(law, i, law.first_closure(i, displacement_[i] - q[i], compliance_->matrix()(i, i)));
+      state_.set(law, i, law.first_closure(i, displacement_[i] - q[i], own_of(*compliance_, i)));
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
