@@ -91,8 +91,13 @@ class RadiatingTail final : public HardContact {
   /// A released node swings back through its rest position, but never as far as it was displaced.
   [[nodiscard]] double protrusion() const override { return largest_displacement(); }
 
-  [[nodiscard]] bool is_still(double negligible) const override;
-  void rest(double time) override;
+  [[nodiscard]] RadiatingTail* radiating() override { return this; }
+
+  /// Whether the modes that are not kept have come to rest, but for a displacement that is negligible.
+  [[nodiscard]] bool is_still(double negligible) const;
+
+  /// Goes on for some time in which no node comes within its range, from where it is still.
+  void rest(double time);
 
  private:
   [[nodiscard]] double held_by_asperities() const;

@@ -11,6 +11,8 @@
 
 namespace stoss {
 
+class RadiatingTail;
+
 /// What a body meets, as the force on each contact node, given where the kept modes alone would put the nodes.
 class ContactResponse {
  public:
@@ -70,11 +72,11 @@ class ContactResponse {
   /// Contact is counted while the total force exceeds this.
   [[nodiscard]] virtual double contact_threshold() const { return 0.0; }
 
-  /// Whether nothing in it moves any more by itself, to a displacement that is negligible: only then it may rest.
-  [[nodiscard]] virtual bool is_still(double /*negligible*/) const { return false; }
+  /// Itself if its tail radiates, which moves by itself (rest.hpp); else null.
+  [[nodiscard]] virtual RadiatingTail* radiating() { return nullptr; }
 
-  /// Goes on for some time in which no node comes within its range.
-  virtual void rest(double /*time*/) {}
+  /// Whether it remembers nothing of forces that are over, but for a dent.
+  [[nodiscard]] virtual bool has_forgotten() const { return false; }
 
   /// Distance in front of first contact beyond which no force acts that counts.
   [[nodiscard]] virtual double range() const = 0;

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "contact/hard_contact.hpp"
+#include "contact/rest.hpp"
 #include "contact/touch.hpp"
 #include "row/flight.hpp"
 
@@ -68,8 +69,10 @@ double Meeting::closing(const RowSolid& one, Face face, const RowSolid* other) c
 
 bool Meeting::is_still() const {
   constexpr double small = 1e-4;
-  return force_ == 0.0 && before_ == 0.0 && response_->is_still(small * greatest_compression);
+  return force_ == 0.0 && before_ == 0.0 && stoss::is_still(*response_, small * greatest_compression);
 }
+
+void Meeting::rest(double time) { stoss::rest(*response_, time); }
 
 long Meeting::steps_apart(const RowSolid& one, Face face, const RowSolid* other, double step) const {
   const double compression = start_ + approach(one, face, other), stride = step * closing(one, face, other);

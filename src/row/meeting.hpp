@@ -36,7 +36,7 @@ class Meeting {
   [[nodiscard]] long steps_apart(const RowSolid& one, Face face, const RowSolid* other, double step) const;
 
   /// Goes on for some time, R/c of the first of them, in which they do.
-  void rest(double time) { response_->rest(time); }
+  void rest(double time);
 
   /// Notes the step, with the force at its end.
   void record(double time, double step);

@@ -47,6 +47,7 @@ void expect_flight(const BodyMaker& maker) {
 TEST(Flight, OfModesAtOnceIsThatByStepsAndLosesWhatTheyLose) {
   expect_flight(sphere(0.3));
   expect_flight(disk(0.2));
+  expect_flight(sphere({0.3, 1.0, 1.0, 1.0, 0.05}));
   expect_flight(relaxing(sphere(0.3), {{{0.3, 1.0}, {0.2, 10.0}}}));
 }
 

@@ -34,7 +34,7 @@ class YieldingContact final : public ContactResponse {
   [[nodiscard]] double pressed() const override { return law_.deepest(); }
   void press(double before) override { law_.press_before(before); }
   [[nodiscard]] double dent() const override { return law_.dent(); }
-  [[nodiscard]] bool is_still(double /*negligible*/) const override { return law_.is_still(); }
+  [[nodiscard]] bool has_forgotten() const override { return law_.is_still(); }
   [[nodiscard]] double range() const override { return 0.0; }
   [[nodiscard]] double touch() const override { return 0.0; }
   [[nodiscard]] double start(double stride) const override;
