@@ -73,7 +73,7 @@ def main(folder: Path) -> None:
     force.set(xlabel="time / µs", ylabel="force / N", yscale="log", ylim=(0.1, None), xlim=(0, None))
     force.legend(frameon=False)
     spectrum.set(xlabel="frequency / kHz", ylabel="spectrum of the force / (N s)", xlim=(3, 3000), ylim=(1e-8, None))
-    motion.set(xlabel="time / µs", ylabel="displacement straight below / its maximum", xlim=(0, 60), ylim=(-0.1, 1.4))
+    motion.set(xlabel="time / µs", ylabel="motion straight below / its maximum", xlim=(0, 60), ylim=(-0.1, 1.4))
     motion.legend(frameon=False, loc="upper right")
     for axes in (force, spectrum, motion):
         axes.grid(alpha=0.3)

@@ -123,26 +123,30 @@ void write(const PulseArguments& arguments, const Encounter& encounter, double s
   writer.finish();
 }
 
-/// That of the receiver, if one is given.
-std::optional<Seismogram> received(const PulseArguments& arguments, const Encounter& encounter, const Pulse& pulse,
-                                   const Poll& poll) {
+/// Where the receiver is and until when it records, in units of the first body.
+struct Place {
+  Receiver receiver;
+  double until = 0.0;
+};
+
+/// That of the options, if one is given.
+std::optional<Place> place_of(const PulseArguments& arguments, const Units& units) {
   if (!arguments.distance && !arguments.depth) {
     if (arguments.until) {
       throw InvalidInput::conflict("until", "a time without a receiver", "add --distance or --depth");
     }
     return {};
   }
-  const Units units = units_of(encounter);
   const auto own = [&](const char* name, const std::optional<double>& value) {
     return value ? own_value(input(Question::pulse, name), *value, units) : 0.0;
   };
-  return seismogram(encounter, pulse, {own("distance", arguments.distance), own("depth", arguments.depth)},
-                    {.until = own("until", arguments.until), .points = arguments.points, .poll = poll});
+  return Place{{own("distance", arguments.distance), own("depth", arguments.depth)}, own("until", arguments.until)};
 }
 
 void run(const PulseArguments& arguments) {
   const Encounter encounter = arguments.who.encounter();
   const double speed = arguments.approach.one(units_of(encounter));
+  const std::optional<Place> place = place_of(arguments, units_of(encounter));
   catch_interrupts();
   const Poll poll = waiting(arguments.output, "computes the pulse");
   Shot shot{stoss::pulse(refinable(encounter), speed,
@@ -153,7 +157,10 @@ void run(const PulseArguments& arguments) {
                           .vibration = encounter.vibration}),
             {}};
   const Pulse& pulse = shot.pulse;
-  shot.seismogram = received(arguments, encounter, pulse, poll);
+  if (place) {
+    shot.seismogram = seismogram(encounter, pulse, place->receiver,
+                                 {.until = place->until, .points = arguments.points, .poll = poll});
+  }
   write(arguments, encounter, speed, shot);
   if (pulse.finest.beyond_small_strain) arguments.output.warn_of_strain(pulse.finest.strain);
   warn_of_materials(arguments.output, encounter, speed);

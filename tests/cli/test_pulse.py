@@ -53,6 +53,46 @@ def test_a_threshold_shortens_the_duration(stoss):
     assert high["duration"] < 0.7 * low["duration"] < 0.7 * low["contact_time"]
 
 
+PLATE = "pulse --body sphere --poisson 0.3 --speed 0.001 --against plate,thickness=4"
+
+
+def test_a_receiver_on_the_other_face_has_numbers_and_series(stoss):
+    made = record(stoss, f"{PLATE} --depth 4 --until 60 --points 61")
+    assert made["depth"] == 4 and made["distance"] == 0 and made["max_radial"] == 0
+    assert made["arrival"] == pytest.approx(4 / 1.160, rel=1e-3)  # c_p at nu = 0.3
+    assert len(made["receiver_time"]) == len(made["normal"]) == len(made["radial_velocity_error"]) == 61
+    assert made["receiver_time"][-1] == pytest.approx(60) and len(made["time"]) == 61
+    assert max(map(abs, made["normal"])) == made["max_normal"] > 50 * made["max_normal_error"]
+    assert made["series_units"]["normal"] == "R" and made["series_units"]["normal_velocity"] == "c"
+
+
+def test_csv_of_a_receiver_is_its_motion(stoss):
+    text = stoss.run(f"{PLATE} --distance 5 --points 50 --format csv").stdout
+    assert "# distance: 5" in text
+    rows = list(csv.DictReader(line for line in io.StringIO(text) if not line.startswith("#")))
+    assert list(rows[0]) == ["time[R/c]", "force[mc^2/R]", "force_error[mc^2/R]", "normal[R]", "normal_error[R]",
+                             "radial[R]", "radial_error[R]", "normal_velocity[c]", "normal_velocity_error[c]", "radial_velocity[c]",
+                             "radial_velocity_error[c]"]  # fmt: skip
+    assert len(rows) == 50 and float(rows[0]["normal[R]"]) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_receiver_is_given_in_metres_with_a_material(stoss):
+    made = record(stoss, f"{STEEL} --speed 1 --distance 0.06")
+    assert made["distance"] == pytest.approx(20) and made["distance_si"] == pytest.approx(0.06)
+    assert made["max_normal_si"] == pytest.approx(max(map(abs, made["normal"])), rel=1e-12)
+
+
+@pytest.mark.parametrize("words, line", {
+    f"{PLATE} --depth 5": "depth: got 5, allowed 0 to 4 R",
+    f"{PLATE} --distance 0.01": "twice the radius of the contact",
+    f"{PLATE} --until 50": "until: a time without a receiver",
+    f"{BALL} --distance 5": "against: got wall, allowed a half-space or a plate",
+}.items())  # fmt: skip
+def test_refuses_a_receiver_in_one_line(stoss, words, line):
+    result = stoss.run(words)
+    assert result.returncode == 3 and len(result.stderr.splitlines()) == 1 and line in result.stderr
+
+
 @pytest.mark.parametrize("words, line", {
     "--tolerance 0": "tolerance: got 0, allowed 1e-5 to 0.5",
     "--threshold 1": "threshold: got 1, allowed 0 to 0.9",

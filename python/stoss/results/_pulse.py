@@ -18,12 +18,12 @@ from stoss.bodies._solid import own_number
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import Unbounded, Wall
 from stoss.export._tables import with_error
-from stoss.results._waveforms import Waveforms
 from stoss.results._progress import waiting
 from stoss.results._quantities import PulseQuantities, Si
 from stoss.results._result import Column, picture
 from stoss.results._seismogram import Seismogram, seismogram_of
 from stoss.results._si import MayYield, warn_of_materials
+from stoss.results._waveforms import Waveforms
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)

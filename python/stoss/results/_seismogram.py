@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,13 +12,10 @@ from stoss import _core
 from stoss._arguments import integer
 from stoss.bodies._encounter import encounter
 from stoss.bodies._solid import own_number
-from stoss.results._waveforms import Waveforms
 from stoss.results._quantities import RecordedInstantQuantities, Si
 from stoss.results._result import RowResult, columns, picture
 from stoss.results._si import InSi
-
-if TYPE_CHECKING:
-    from stoss.results._pulse import Pulse
+from stoss.results._waveforms import Waveforms
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -46,7 +43,7 @@ class Seismogram(RecordedInstantQuantities, Waveforms, RowResult, InSi):
     depth_si = Si("Depth of the receiver, m.")
     arrival_si = Si("Time of the first wave, s.")
 
-    pulse: Pulse
+    pulse: Any
     distance: float
     depth: float
     arrival: float
@@ -81,7 +78,7 @@ class Seismogram(RecordedInstantQuantities, Waveforms, RowResult, InSi):
         return self._table() | {name: np.asarray(each) for name, each in many.items()}
 
 
-def seismogram_of(pulse: Pulse, distance: Any, depth: Any, until: Any, points: Any) -> Seismogram:
+def seismogram_of(pulse: Any, distance: Any, depth: Any, until: Any, points: Any) -> Seismogram:
     """That of a receiver, as it comes from a user."""
     given = {"distance": distance, "depth": depth}
     place: dict[str, Any] = {name: own_number(pulse.body, "pulse", name, each) for name, each in given.items()}

@@ -35,7 +35,7 @@ LONG = {
     "one value": "stoss.restitution(poisson=-0.95, speed=1.0, tolerance=1e-7, absolute=0)",
     "chain of rods": "stoss.rod_chain([stoss.Rod(length=1 + k / 100) for k in range(20)], circumference=220,"
     " temperature=1, collisions=10**6)",
-    "pulse": "stoss.pulse(stoss.Disk(poisson=0.33), speed=1e-6, tolerance=1e-5)",
+    "pulse": "[stoss.pulse(ball, speed=v, against=stoss.HalfSpace()).at(9.0) for v in np.geomspace(1e-4, 0.1, 300)]",
     "row": "stoss.row([ball] * 60, speed=[1e-4], tolerance=1e-5)",
     "rows": "stoss.row([ball] * 5, speed=np.geomspace(0.01, 0.1, 3000)[:, None])",
     "row in time": "stoss.row_impact([ball] * 60, speed=[1e-4], cutoff=90, every=1000)",
