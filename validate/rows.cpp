@@ -1,7 +1,8 @@
 // Do the errors of rows hold? stoss_validate_rows COUNT > docs/results/rows_validation.csv
 //
-// Random rows of two to five spheres or disks, alike or of their own radii and materials, some with gaps of 0.01 to 100 R, a wall on the
-// right, or two that move; judged by the motion at the cutoff 91, where it agrees with that at 64 to 2e-5 of the speed.
+// Random rows of two to five spheres or disks, alike or of their own radii and materials, some with gaps of 0.01 to 100
+// R, a wall on the right, or two that move; judged by the motion at the cutoff 91, where it agrees with that at 64 to
+// 2e-5 of the speed.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -39,9 +39,9 @@ enum class Plane { stress, strain };
 /// @throws InvalidInput unless both are positive and finite, and so is η
 [[nodiscard]] double loss_time_of_quality(double quality, double frequency);
 
-/// Material of an isotropic solid from the speeds of its longitudinal and transverse waves, as ultrasound measures them:
-/// E = ρc_s²(3c_p² − 4c_s²)/(c_p² − c_s²), ν = (c_p² − 2c_s²)/2(c_p² − c_s²) (K. F. Graff, Wave Motion in Elastic Solids,
-/// section 5.1).
+/// Material of an isotropic solid from the speeds of its longitudinal and transverse waves, as ultrasound measures
+/// them: E = ρc_s²(3c_p² − 4c_s²)/(c_p² − c_s²), ν = (c_p² − 2c_s²)/2(c_p² − c_s²) (K. F. Graff, Wave Motion in Elastic
+/// Solids, section 5.1).
 /// @param c_p, c_s m/s; @param density kg/m³
 /// @throws InvalidInput unless all are positive and c_p is above √(4/3) c_s, as in every stable solid
 [[nodiscard]] Material material_of_wave_speeds(double c_p, double c_s, double density);
