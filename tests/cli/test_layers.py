@@ -28,5 +28,5 @@ def test_a_lossy_layer_on_top_takes_more_than_one_below(stoss):
 
 def test_a_loss_of_one_layer_alone_comes_with_its_material(stoss):
     refused = stoss.run(f"{BALL} --against plate,{PANE}/{FILM},loss_time=1e-6")
-    said = "stoss: error: against: got 'loss_time', allowed thickness, poisson, young, density, material with plate\n"
+    said = "stoss: error: against: got 'loss_time', allowed thickness, poisson, young, density, material, c_p, c_s with plate\n"
     assert (refused.returncode, refused.stderr) == (3, said)

@@ -71,7 +71,8 @@ std::vector<std::string> refused_values(const Input& input, Form form) {
 /// The options of a question, which takes all of them, but for the value of one.
 std::map<std::string, std::string> options_with(const Input& input, Question question) {
   using enum Question;
-  const bool in_si = question == predict || question == fit || input.name == "height" || input.name == "adhesion";
+  const bool in_si = question == predict || question == fit || question == calibrate || input.name == "height" ||
+                     input.name == "adhesion";
   std::map<std::string, std::string> options{{"--poisson", "0.3"}};
   if (in_si) options = {{"--material", "glass"}, {"--radius", "0.001"}};
   options["--speed"] = question == table || question == fit ? "0.1:0.2" : "0.1";
@@ -80,6 +81,7 @@ std::map<std::string, std::string> options_with(const Input& input, Question que
   if (question == oblique) options["--friction"] = "0.1";
   if (question == distribution) options["--temperature"] = "0.1";
   if (question == fit) options["--law"] = "tsuji";
+  if (question == calibrate) options["--unknown"] = "quality", options.erase("--speed");
   if (input.name == "ratio") options["--against"] = "same";
   return options;
 }
@@ -93,6 +95,7 @@ TEST_F(Inputs, AreRefusedOutOfTheirRanges) {
         auto options = options_with(each, question);
         options["--" + option_of(each.name)] = value;
         std::vector<std::string> words{std::string(name)};
+        if (question == Question::calibrate) words.emplace_back("data.csv");
         const bool of_rule = each.name == "tolerance" || each.name == "friction";
         if (question == Question::table && of_rule) words.emplace_back("--oblique");
         if (question == Question::table && each.name == "adhesion") words.emplace_back("--predict");

@@ -55,6 +55,7 @@ PICTURES = {
     "oblique_ledger": (lambda: computed("oblique impact"), {}, ()),
     "pair_table": (lambda: computed("pair table"), {"ratio": [1, 1.5]}, ("speed of approach v / c", "restitution ε",
      "ratio 1", "ratio 1.5")),
+    "calibration": (lambda: computed("calibrate"), {}, ("contact time, s", "speed of impact, m/s", "stoss", "measured")),
     "prediction": (lambda: computed("predict-block"), {}, ()),
     "pulse": (lambda: computed("pulse"), {}, ("force F / kN", "Hertz")),
     "pulse_spectrum": (lambda: computed("pulse"), {}, ("amplitude / impulse", "corner", "first null")),

@@ -15,6 +15,8 @@ BALL, DISK, RODS = stoss.Sphere(poisson=0.3), stoss.Disk(poisson=0.33), [stoss.R
 GLASS = stoss.Sphere(radius=5e-3, material=stoss.materials["glass"])
 WAITING = {
     "bounce": ("_bounce", lambda **more: stoss.bounce(BALL, speed=0.05, count=2, flight_time=30, **more)),
+    "calibrate": ("stoss.calibration._calibration", lambda **more: stoss.calibrate(
+        {"speed": [1.0], "restitution": [0.97], "restitution_uncertainty": [0.01]}, GLASS, unknown="quality", **more)),
     "collision_rule": ("_adaptive_rule", lambda **more: stoss.collision_rule(
         BALL, speed=(0.01, 0.011), error=0.05, tolerance=0.1, **more)),
     "impact": ("_impact", lambda **more: stoss.impact(BALL, speed=0.1, cutoff=10, **more)),
