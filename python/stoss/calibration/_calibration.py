@@ -11,7 +11,7 @@ from typing import Any, ClassVar, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss._arguments import boolean, instance, number, refusal
+from stoss._arguments import boolean, instance, refusal
 from stoss._documentation import documented
 from stoss.bodies._bodies import BODIES, PARTNERS, Body, shown
 from stoss.bodies._encounter import Against, choose_against
@@ -19,6 +19,7 @@ from stoss.bodies._material import Material
 from stoss.bodies._solid import describe, own_number
 from stoss.calibration._constants import Meeting, Unknowns, unknowns_of
 from stoss.export._tables import plain, with_error
+from stoss.results._prediction import choose_uncertainties
 from stoss.results._progress import waiting
 from stoss.results._result import Column, Result, picture
 
@@ -224,9 +225,7 @@ def calibrate(
     met: Any = "same" if isinstance(against, str) and against == "same" else choose_against(its, against)
     mu = None if friction is None else own_number(its, "calibrate", "friction", friction)
     meeting = Meeting(its, met, mu)
-    if not isinstance(uncertainties, (Mapping, type(None))):
-        raise refusal("uncertainties", uncertainties, "a mapping of names to numbers, as {'young': 0.05}")
-    known = {str(name): number(f"uncertainties {name}", each) for name, each in (uncertainties or {}).items()}
+    known = choose_uncertainties(uncertainties)
     with waiting(boolean("progress", progress), "calibrate"):
         made: Calibration = _work().found(data, meeting, unknowns_of(unknown, meeting), boolean("air", air), known)
     return made

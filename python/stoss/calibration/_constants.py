@@ -11,7 +11,7 @@ from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body
 from stoss.bodies._encounter import Against
 from stoss.bodies._kinds import KINDS
-from stoss.bodies._losses import LOSSES, losses_of
+from stoss.bodies._losses import LOSSES, losses_in, losses_of
 from stoss.bodies._material import Material
 
 Unknowns = Union[str, Sequence[str], Mapping[str, "float | None"]]
@@ -112,7 +112,7 @@ class Meeting:
             return 1.0
         solid: Any = self.against if name.startswith(SIDES[1]) else self.body
         holder = solid.material if KINDS_OF_CONSTANTS[own].of_material else solid
-        found = getattr(holder, own, None)
+        found = getattr(solid, own, None) or getattr(holder, own, None)
         return float(found) if found else None
 
     def changed(self, values: Mapping[str, float]) -> Meeting:
@@ -131,13 +131,19 @@ def _changed(solid: Any, values: Mapping[str, float]) -> Any:
         solid.material, {name: values[name] for name in values if KINDS_OF_CONSTANTS[name].of_material}
     )
     own = {each.name: getattr(solid, each.name) for each in KINDS[solid._kind].parameters if not each.of_material}
-    given = {name: value for name, value in own.items() if name not in LOSSES}
-    losses = {name: getattr(solid, name) for name in LOSSES}
-    if losses != losses_of(solid.material) and not set(values) & set(LOSSES):
-        given |= {name: value for name, value in losses.items() if value}
-    given |= {name: value for name, value in values.items() if not KINDS_OF_CONSTANTS[name].of_material}
+    given = {name: value for name, value in own.items() if value and name not in LOSSES}
+    if has_own_losses(solid) and not set(values) & set(LOSSES):
+        given |= losses_in(solid)
+    given |= {
+        name: value for name, value in values.items() if name in given or not KINDS_OF_CONSTANTS[name].of_material
+    }
     extra = {name: getattr(solid, name) for name in ("plane", "rigid") if getattr(solid, name, None)}
-    return type(solid)(**{name: value for name, value in given.items() if value}, **extra, material=material)
+    return type(solid)(**given, **extra, material=material)
+
+
+def has_own_losses(solid: Any) -> bool:
+    """Whether a body loses otherwise than its material."""
+    return {name: getattr(solid, name) for name in LOSSES} != losses_of(solid.material)
 
 
 def _changed_material(material: Material, values: Mapping[str, float]) -> Material:
@@ -202,7 +208,7 @@ def _unknown(name: Any, start: Any, meeting: Meeting) -> Constant:
 def _require_has(name: str, own: str, solid: Any) -> None:
     if isinstance(solid, str):
         raise InvalidInput.out_of_range("unknown", name, "a constant of the body", "both are the same")
-    if KINDS_OF_CONSTANTS[own].of_material and getattr(solid, "material", None) is None:
+    if getattr(solid, "material", None) is None:
         raise InvalidInput.out_of_range("unknown", name, "a constant of a body with a material", "this has none")
     if own == "relaxation" and not solid.material.relaxation:
         raise InvalidInput.out_of_range("unknown", name, "with a series of relaxation to begin with")

@@ -15,7 +15,7 @@ from stoss.calibration._air import HIGHEST_REYNOLDS_NUMBER, Flight
 from stoss.calibration._calibration import CalibratedConstant, Calibration
 from stoss.calibration._constants import Constant, Meeting
 from stoss.calibration._data import Data, data_of
-from stoss.calibration._held import Held, cannot_be_told, held_by, held_in, unit_of
+from stoss.calibration._held import Held, cannot_be_told, held_by, held_in
 from stoss.calibration._search import Search, Solution
 
 
@@ -85,7 +85,7 @@ def _made(
             uncertainty=float(value * own),
             by_constants=float(value * other),
             numerical=float(value * numerical),
-            unit=unit_of(each.name),
+            unit=each.kind.unit,
         )
         for each, value, own, other, numerical in zip(unknowns, values, deviation, by_held, solution.numerical)
     )

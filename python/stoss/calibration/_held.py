@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._errors import InvalidInput
+from stoss.bodies._losses import LOSSES
 from stoss.bodies._material import NAMES, Material
 from stoss.bodies._walls import ExponentialWall, HardWall
-from stoss.calibration._constants import KINDS_OF_CONSTANTS, SIDES, Constant, Meeting
+from stoss.calibration._constants import SIDES, Constant, Meeting, has_own_losses
 from stoss.calibration._search import STEP, Search, Solution
 
-LOSSES = ("quality", "loss_time", "relaxation")
 ALIKE = 0.98  # cosine from which on two constants change the data in the same way
 LEAST = 0.02  # change of the logarithm of a constant, per that of a held one, that is worth a line
 
@@ -50,7 +50,7 @@ def held_in(meeting: Meeting, unknowns: list[Constant], known: Mapping[str, floa
         if not isinstance(material, Material) or getattr(solid, "layers", None):
             continue
         listed = _core.uncertainties_of_material(NAMES[material]) if material in NAMES else {}
-        for name in ("young", "density", *LOSSES, "yield_strength"):
+        for name in ("young", "density", *(() if has_own_losses(solid) else LOSSES), "yield_strength"):
             if getattr(material, name) and side + name not in sought:
                 found[side + name] = listed.get("loss" if name in LOSSES else name, 0.0)
         for name in ("yield_hardening", "roughness"):
@@ -119,8 +119,3 @@ def cannot_be_told(
 
 def _is_wall(against: Any) -> bool:
     return isinstance(against, (HardWall, ExponentialWall))
-
-
-def unit_of(name: str) -> str:
-    """Unit of a constant."""
-    return KINDS_OF_CONSTANTS[name.removeprefix(SIDES[1])].unit

@@ -24,10 +24,8 @@ from stoss.calibration._model import Impacts
 Array = NDArray[np.float64]
 
 STEP = 0.1  # of the logarithm of a constant, for slopes: times of contact end within steps
-ROUNDS, ENOUGH = (
-    8,
-    0.02,
-)  # corrections by computed values; until constants change by less than this share of σ, or than errors do
+ROUNDS = 8  # corrections by computed values
+ENOUGH = 0.02  # until constants change by less than this share of σ, or than errors do
 SCAN = 9  # values that are tried of each constant before
 LARGEST_FACTOR = np.e  # within which a constant must be told
 

@@ -197,7 +197,7 @@ def predict(
     if height is not None:
         (heights,) = own_units(ball, "predict", height=speeds)
         speeds = _core.speed_of_drop(heights.ravel()).reshape(heights.shape)
-    work, known = optional_number("adhesion", adhesion), _choose_uncertainties(uncertainties)
+    work, known = optional_number("adhesion", adhesion), choose_uncertainties(uncertainties)
     limit, count = number("tolerance", tolerance), integer("threads", threads)
     meeting = drop_encounter(ball, met)
     with waiting(boolean("progress", progress), "predict"):
@@ -236,7 +236,8 @@ def _choose_met(against: Any) -> Against | str:
     return HardWall() if against is None else instance("against", against, kinds)
 
 
-def _choose_uncertainties(given: Any) -> dict[str, float]:
+def choose_uncertainties(given: Any) -> dict[str, float]:
+    """How well constants are known, by name."""
     if given is None:
         return {}
     if not isinstance(given, Mapping) or not all(isinstance(name, str) for name in given):

@@ -176,6 +176,26 @@ def test_what_cannot_be_told_apart_is_said():
     assert any("rigid wall" in each for each in at_wall.not_told_apart)
 
 
+def test_what_a_body_has_of_its_own_stays_its_own():
+    """A body that loses nothing, of a material that does, and one whose strength is not that of its material."""
+    lossless = stoss.Sphere(radius=0.008, material=GLASS, loss_time=0)
+    data = {"speed": [1.0], "contact_time": [5e-5], "contact_time_uncertainty": [1e-6]}
+    found = stoss.calibrate(data, lossless, unknown="young")
+    assert found.body.loss_time == found.body.quality == 0.0 and not any(
+        "quality" in each for each in found.not_told_apart
+    )
+    soft = stoss.HalfSpace(material=BLOCK.material, yield_strength=3e8)
+    known = stoss.restitution(BALL, against=soft, speed=[0.5, 2.0]).restitution
+    data = {"speed": [0.5, 2.0], "restitution": known, "restitution_uncertainty": [0.01, 0.01]}
+    (its,) = stoss.calibrate(data, BALL, against=soft, unknown={"against.yield_strength": 4e8}).constants
+    assert its.value == pytest.approx(3e8, rel=5e-3)
+
+
+def test_a_wall_has_no_constants():
+    with pytest.raises(stoss.InvalidInput, match="against.roughness"):
+        stoss.calibrate(made_by(BALL, speeds=SPEEDS[:2]), BALL, unknown="against.roughness")
+
+
 def test_bodies_without_a_material_are_refused():
     data = {"speed": [1.0], "restitution": [0.9], "restitution_uncertainty": [0.01]}
     for body in (stoss.Sphere(poisson=0.3), "ball", None):
