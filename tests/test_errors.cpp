@@ -29,8 +29,7 @@ TEST(InvalidInput, OfAPartHasTheNameOfTheWholeFirst) {
 }
 
 TEST(InvalidInput, MayNameTheInputByWhichItsHintIsFollowed) {
-  const InvalidInput plain =
-      InvalidInput::out_of_range("young ratio", "1e-4", "0.001 to 1000", "let the first be rigid");
+  const InvalidInput plain = InvalidInput::out_of_range("young ratio", "1e-7", "1e-6 to 1e6", "let the first be rigid");
   EXPECT_EQ(plain.way(), "");
   EXPECT_EQ(plain.with_way("rigid").way(), "rigid");
   EXPECT_STREQ(plain.with_way("rigid").what(), plain.what());

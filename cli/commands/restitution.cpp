@@ -85,7 +85,7 @@ struct RestitutionArguments {
 };
 
 Job make_job(RestitutionArguments& arguments) {
-  std::vector<double> poissons{0.0};  // of what has none
+  std::vector<double> poissons{units_of_rigid.at("poisson")};  // of what has none, or is rigid
   if (given(*arguments.command, "--poisson")) {
     poissons = parse_series("poisson", arguments.poissons);
     arguments.who.first.set_poisson(poissons.front());

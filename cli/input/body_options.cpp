@@ -71,8 +71,8 @@ void BodyOptions::add_kind_to(CLI::App& command, const std::vector<std::string>&
 void BodyOptions::add_dynamics_to(CLI::App& command) {
   command
       .add_flag("--rigid-body", rigid_,
-                "The body is rigid: it keeps its mass, and its modulus and density\n"
-                "remain the units; what it meets must deform")
+                "The body is rigid: it keeps its mass; its modulus cancels, and need not\n"
+                "be given; what it meets must deform")
       ->group("Body");
   add(command, "--loss-time", numbers_["loss_time"],
       "Loss time eta of the body: stress = (1 + eta d/dt) elastic stress\n(default: 0, or that of --material); "
@@ -88,6 +88,11 @@ void BodyOptions::add_dynamics_to(CLI::App& command) {
              "With --relaxation: the modulus that is given is E(0) (instantaneous),\nor what is left of it after all "
              "relaxation (default: instantaneous)",
              "WHICH", "Body");
+  add(command, "--extra-mass", numbers_["extra_mass"],
+      "Mass fixed to a sphere that moves as it does on average, as of a hammer\n(default: 0); in density radius^3, "
+      "with "
+      "a material in kg",
+      "M", "Body");
   add(command, "--roughness", numbers_["roughness"],
       "rms height of the elastic asperities of its face, in R, with a material\nin m (default: 0, smooth): their "
       "length "
@@ -184,7 +189,7 @@ Participant BodyOptions::body() const {
   Participant body{.kind = kind_, .material_name = material_, .rigid = rigid_};
   if (plane_ == "strain") body.plane = Plane::strain;
   set_numbers(body);
-  if (has_poisson(body) && !body.values.contains("poisson") && material_.empty() && !c_p_) {
+  if (has_poisson(body) && !body.values.contains("poisson") && material_.empty() && !c_p_ && !rigid_) {
     throw CLI::RequiredError("--poisson");
   }
   if (in_si()) set_material(body, 0.0, "material");
@@ -221,6 +226,7 @@ void set_material(Participant& of, double poisson, const std::string& option) {
     of.material_name = its.name, of.material = its.material;
   } else {
     take_wave_speeds(of);
+    if (of.rigid) of.values.insert(units_of_rigid.begin(), units_of_rigid.end());
     const bool young = of.values.contains("young"), density = of.values.contains("density");
     if (!young || !density) {
       throw InvalidInput::out_of_range(

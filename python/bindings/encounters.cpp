@@ -215,6 +215,8 @@ void bind_encounters(py::module_& module) {
         return terms_of(shifted(given, c1, c2, reference, temperature));
       });
   def(module, "named_materials", &all_materials);
+  def(module, "units_of_rigid",
+      [] { return std::map<std::string, double>(units_of_rigid.begin(), units_of_rigid.end()); });
   def(module, "material_of_wave_speeds", {"c_p", "c_s", "density"}, [](double c_p, double c_s, double density) {
     const Material its = material_of_wave_speeds(c_p, c_s, density);
     return py::make_tuple(its.young, its.poisson);

@@ -1,6 +1,7 @@
 // What belongs to a body beside its modes: how its material relaxes and yields, how rough it is.
 #include "body/changed.hpp"
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,10 @@ double unit_of_time(const BodyScale& scale) { return scale.length / scale.speed;
 
 void require_asperities(double asperities) {
   stoss::require("asperities", asperities, {0.0, 1e3, true, true, "0 to 1000"}, "length of the asperities in R");
+}
+
+void require_mass(double mass) {
+  stoss::require("extra_mass", mass, {0.0, 1e100, true, true, "0 or more"}, "a mass fixed to the body");
 }
 
 void require_strength(const Strength& strength) {
@@ -127,6 +132,34 @@ BodyMaker yielding(const BodyMaker& maker, const Strength& strength) {
   require_strength(strength);
   if (strength.yield == 0.0) return maker;
   return [maker, strength](double cutoff, const Poll& poll) { return yielding(maker(cutoff, poll), strength); };
+}
+
+Body laden(const Body& body, double mass) {
+  require_mass(mass);
+  if (mass == 0.0) return body;
+  if (body.contour != Contour::ball || !is_whole(body) || is_known_at_a_point(body)) {
+    throw InvalidInput::conflict("extra_mass", "'" + body.name + "' is no ball", "leave it out");
+  }
+  Body result = body;
+  const double heavier = 1.0 + mass / body.scale.mass;
+  result.name += " extra_mass=" + shown(mass);
+  result.scale.mass *= heavier, result.mass *= heavier;
+  for (ModeGroup& group : result.groups) {  // modal mass is that of the body
+    for (double& weight : group.upper) weight *= std::sqrt(heavier);
+    for (double& weight : group.lower) weight *= std::sqrt(heavier);
+  }
+  result.inertia = 0.0, result.outward = nullptr;
+  result.along = [](const Poll&) -> std::vector<Body> {
+    throw InvalidInput::conflict("extra_mass", "friction turns a body, and how this mass turns is not known",
+                                 "compute without friction");
+  };
+  return result;
+}
+
+BodyMaker laden(const BodyMaker& maker, double mass) {
+  require_mass(mass);
+  if (mass == 0.0) return maker;
+  return [maker, mass](double cutoff, const Poll& poll) { return laden(maker(cutoff, poll), mass); };
 }
 
 void validate(const Coat& coat) {

@@ -13,26 +13,29 @@ namespace {
 
 constexpr double unequal = 1e-9;
 
-/// Refuses what is beyond `most`, by a value of six digits: it is computed of what was given.
-void require_below(const std::string& name, double ratio, double most, std::string_view shown_most,
-                   const std::string& hint) {
-  constexpr double least = 1e-3 * (1.0 - unequal);
-  if (ratio >= least && ratio <= most * (1.0 + unequal)) return;
-  throw InvalidInput::out_of_range(name + " ratio", rounded(ratio), "0.001 to " + std::string(shown_most), hint);
+/// What a ratio of the second body to the first may be.
+struct Ratios {
+  double least, most;
+  std::string_view shown;
+};
+
+constexpr Ratios of_bodies{1e-3, 1e3, "0.001 to 1000"}, of_densities{1e-3, 1e6, "0.001 to 1e6"},
+    of_moduli{1e-6, 1e6, "1e-6 to 1e6"};
+
+/// Refuses a ratio beyond them, by a value of six digits: it is computed of what was given.
+void require_ratio(const std::string& name, double ratio, const Ratios& allowed, const std::string& hint) {
+  if (ratio >= allowed.least * (1.0 - unequal) && ratio <= allowed.most * (1.0 + unequal)) return;
+  throw InvalidInput::out_of_range(name + " ratio", rounded(ratio), std::string(allowed.shown), hint);
 }
 
 void require_ratio(const std::string& name, double ratio, std::string_view hint = {}) {
-  require_below(name, ratio, 1e3, "1000", "of the second body to the first" + std::string(hint));
+  require_ratio(name, ratio, of_bodies, "of the second body to the first" + std::string(hint));
 }
 
-/// @param of what has no end
-void require_ratio_of_half_space(const std::string& name, const Body& of, double ratio, std::string_view hint = {}) {
-  require_below(name, ratio, 1e6, "1e6", "of the " + short_name(of) + " to the body" + std::string(hint));
-}
-
-/// What to do about waves of the stiffer one that are too fast for the steps of the other, and by which input.
+/// What to do about a stiffer one whose own deformation is lost beside that of the other, and by which input.
 struct WayOut {
-  std::string_view hint, input;
+  std::string hint;
+  std::string_view input;
 };
 
 WayOut way_out(const Body& first, const Body& second, bool second_is_stiffer) {
@@ -47,14 +50,9 @@ void require_young(const Body& first, const Body& second, double softness) {
   if (first.softness == 0.0 || second.softness == 0.0) return;
   const double ratio = 1.0 / softness;
   const auto [hint, input] = way_out(first, second, ratio > 1.0);
-  const std::string way =
-      "; the waves of the stiffer one are too fast for the steps of the other: " + std::string(hint);
+  const std::string of = is_unbounded(second) ? short_name(second) + " to the body" : "second body to the first";
   try {
-    if (is_unbounded(second)) {
-      require_ratio_of_half_space("young", second, ratio, way);
-    } else {
-      require_ratio("young", ratio, way);
-    }
+    require_ratio("young", ratio, of_moduli, "of the " + of + "; beyond, the stiffer one is rigid: " + hint);
   } catch (const InvalidInput& refusal) {
     throw refusal.with_way(input);
   }
@@ -121,7 +119,8 @@ void require_ratios(const Body& first, const Body& second) {
   } else if (is_unbounded(second)) {
     const double size = first.contour == Contour::ball ? units.length : 1.0;
     require_young(first, second, units.softness);
-    require_ratio_of_half_space("density", second, units.mass / (units.length * units.length * size));
+    require_ratio("density", units.mass / (units.length * units.length * size), of_densities,
+                  "of the " + short_name(second) + " to the body");
   } else if (first.contour == Contour::flat) {
     require_ratio("length", units.length);
     require_ratio("transit time", units.time, "; length sqrt(density/young)");

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +9,7 @@
 
 #include "encounter/json_values.hpp"
 #include "encounter/losses/document.hpp"
+#include "encounter/vibration_document.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/encounter/modal_file.hpp"
 #include "stoss/encounter/relaxing.hpp"
@@ -21,12 +20,21 @@ namespace {
 
 using namespace json;
 
-void read_material(const std::string& where, const Json& given, Participant& into) {
+/// Of a rigid body the modulus cancels, and need not be given.
+Json with_units_of_rigid(Json given) {
+  if (given.contains("c_p") || given.contains("c_s")) return given;
+  for (const auto& [name, unit] : units_of_rigid) given.emplace(name, unit);
+  return given;
+}
+
+/// @param rigid whether it is that of a rigid body
+void read_material(const std::string& where, const Json& given, bool rigid, Participant& into) {
   if (given.is_string()) {
     const NamedMaterial& its = material_of_the_list(given.get<std::string>());
     into.material_name = its.name, into.material = its.material;
   } else {
-    into.material = material_of_numbers(where, object(where, given));
+    const Json& its = object(where, given);
+    into.material = material_of_numbers(where, rigid ? with_units_of_rigid(its) : its);
   }
 }
 
@@ -121,7 +129,7 @@ Participant participant(const std::string& where, const Json& given) {
     } else if (parameter(its, name) != nullptr) {
       made.values[name] = number(place, value);
     } else if (name == "material" && !its.wall) {
-      read_material(place, value, made);
+      read_material(place, value, its.can_be_rigid && given.value("rigid", Json()) == true, made);
     } else if (name == "plane" && its.has_plane) {
       made.plane = plane_of(place, value);
     } else if (name == "rigid" && its.can_be_rigid && value.is_boolean()) {
@@ -134,38 +142,6 @@ Participant participant(const std::string& where, const Json& given) {
   }
   if (relaxed) take_young_as_relaxed(made);
   return made;
-}
-
-int whole(const std::string& where, const Json& value) {
-  constexpr double most = std::numeric_limits<int>::max();
-  if (!value.is_number_integer() || std::abs(value.get<double>()) > most) refuse(where, value, "a whole number");
-  return value.get<int>();
-}
-
-Oscillation oscillation(const std::string& where, const Json& given) {
-  Oscillation mode;
-  for (const char* needed : {"order", "index", "energy"}) {
-    if (!object(where, given).contains(needed)) refuse(where, given, "an object with order, index and energy");
-  }
-  for (const auto& [name, value] : given.items()) {
-    const std::string place = where + " " + name;
-    if (name == "order") {
-      mode.order = whole(place, value);
-    } else if (name == "index") {
-      mode.index = whole(place, value);
-    } else if (name == "energy") {
-      mode.energy = number(place, value);
-    } else if (name == "phase") {
-      mode.phase = number(place, value);
-    } else if (name == "body" && (value == "first" || value == "second")) {
-      mode.body = value == "first" ? 0 : 1;
-    } else if (name == "body") {
-      refuse(place, value, "\"first\" or \"second\"");
-    } else {
-      refuse(where, name, "body, order, index, energy, phase");
-    }
-  }
-  return mode;
 }
 
 Json described(const Participant& of);
@@ -229,10 +205,8 @@ Encounter encounter_from_json(std::string_view text) {
       encounter.first = participant("first", value);
     } else if (name == "against") {
       encounter.against = participant("against", value);
-    } else if (name == "vibration" && value.is_array()) {
-      for (const Json& each : value) encounter.vibration.push_back(oscillation("vibration", each));
     } else if (name == "vibration") {
-      refuse(name, value, "a list of modes");
+      encounter.vibration = vibration(name, value);
     } else if (name != "format") {
       refuse("encounter", name, "format, first, against, vibration");
     }
@@ -244,13 +218,7 @@ Encounter encounter_from_json(std::string_view text) {
 std::string to_json(const Encounter& encounter) {
   Json document{
       {"format", encounter_format}, {"first", described(encounter.first)}, {"against", described(encounter.against)}};
-  for (const Oscillation& mode : encounter.vibration) {
-    document["vibration"].push_back({{"body", mode.body == 0 ? "first" : "second"},
-                                     {"order", mode.order},
-                                     {"index", mode.index},
-                                     {"energy", mode.energy},
-                                     {"phase", mode.phase}});
-  }
+  if (!encounter.vibration.empty()) document["vibration"] = document_of(encounter.vibration);
   return document.dump();
 }
 

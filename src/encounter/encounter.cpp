@@ -21,7 +21,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// In units of the first body with a material, of which rods are the exception: they keep SI.
 Values in_units_of_first(const Kind& kind, Values all, const Values& first, double time) {
   for (const Parameter& each : kind.parameters) {
-    if (each.unit.empty() || is_of_face(each.name)) continue;  // faces are no part of a solid
+    if (each.unit.empty() || is_of_face(each.name) || each.unit == "kg") continue;  // no part of a solid
     all.find(each.name)->second /= each.unit == "m"   ? first.at("radius")
                                    : each.unit == "s" ? time
                                                       : first.find(each.name)->second;
@@ -77,9 +77,11 @@ auto with_given_loss_time(const Participant& of, const Compute& compute) {
 
 BodyMaker made(const Encounter& encounter, const Participant& of, const Solid& solid) {
   const bool in_own = encounter.first.material && !is_rod(encounter);
-  const double unit = in_own ? first_values(encounter).at("radius") : 1.0;
+  const Values units = in_own ? first_values(encounter) : Values{{"radius", 1.0}, {"density", 1.0}};
+  const double unit = units.at("radius"), unit_of_mass = units.at("density") * std::pow(unit, 3);
   return with_given_loss_time(of, [&] {
     BodyMaker bare = of.rigid ? rigid(maker(solid)) : maker(solid, relaxation_of(encounter, of, solid));
+    bare = laden(bare, given_or(of, "extra_mass", 0.0) / unit_of_mass);
     const BodyMaker coated = coated_in_units_of_first(bare, coat_of(encounter, of));
     return yielding_as_given(with_asperities(coated, asperities_of(of) / unit), encounter, of);
   });
@@ -114,8 +116,10 @@ std::optional<Scales> si_scales(const Encounter& encounter) {
   }
   if (first.modal) return scales(*first.modal);
   return with_given_loss_time(first, [&] {
-    return is_rod(encounter) ? scales(std::get<Rod>(kind("rod").solid(all)))
-                             : scales(std::get<Sphere>(kind("sphere").solid(all)));
+    if (is_rod(encounter)) return scales(std::get<Rod>(kind("rod").solid(all)));
+    Scales its = scales(std::get<Sphere>(kind("sphere").solid(all)));
+    its.force *= 1.0 + all.at("extra_mass") * inverse_mass_of_solid(first);
+    return its;
   });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "check.hpp"
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/encounter/roughness.hpp"
 #include "stoss/encounter/visible.hpp"
@@ -83,6 +84,15 @@ constexpr Parameter yield_hardening{
 constexpr Parameter yield_rate{
     "yield_rate", "",   0.0,   0.0,
     1.0,          true, false, "C of the strength at a rate of strain in 1/s above 1, Y (1 + C ln(rate)): a model"};
+constexpr Parameter extra_mass{
+    "extra_mass",
+    "kg",
+    0.0,
+    0.0,
+    infinity,
+    true,
+    false,
+    "mass fixed to it that moves as it does on average, as of a hammer; without a material in density radius^3"};
 constexpr Parameter hardness{"hardness", "", 500.0, 1.0, 1e8, true, false, "alpha R = R/u0 of the wall"};
 constexpr Parameter strength{"strength", "", 1.0, 1e-100, 1e100, true, false, "V0; it only shifts the wall"};
 
@@ -90,6 +100,12 @@ constexpr Parameter strength{"strength", "", 1.0, 1e-100, 1e100, true, false, "V
 template <typename Round>
 Solid round(const Values& of) {
   return Round{of.at("poisson"), of.at("radius"), of.at("young"), of.at("density"), of.at("loss_time")};
+}
+
+/// A sphere, whose extra mass is put on it later.
+Solid ball(const Values& of) {
+  require("extra_mass", of.at("extra_mass"), {0.0, infinity, true, false, "0 or more"}, "a mass fixed to the body");
+  return round<Sphere>(of);
 }
 
 template <typename Unbounded>
@@ -128,7 +144,8 @@ std::vector<Kind> make_kinds() {
   sphere.name = "sphere", sphere.plural = "spheres", sphere.help = "an elastic sphere";
   sphere.can_yield = true, sphere.has_plane = false, sphere.contour = Contour::ball;
   sphere.own = UnitSystem::sphere, sphere.si = UnitSystem::sphere_si;
-  sphere.parameters.front() = solid_poisson_number, sphere.solid = round<Sphere>;
+  sphere.parameters.front() = solid_poisson_number, sphere.solid = ball;
+  sphere.parameters.push_back(extra_mass);
   Kind rod = sphere;
   rod.name = "rod", rod.plural = "rods", rod.help = "a thin elastic rod that meets with one end";
   rod.can_be_rigid = rod.can_yield = false, rod.contour = Contour::flat;

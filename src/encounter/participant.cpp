@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -97,12 +98,14 @@ Values values_at_frequency(const Participant& of, std::optional<double> poisson,
     } else if (is_loss(name)) {
       const Losses its = losses_of(of);
       all[name] = name == "quality" ? its.quality : its.loss_time;
-    } else if (is_of_face(name)) {
+    } else if (is_of_whole(name)) {
       all[name] = given_or(of, name, 0.0);
     } else if (const auto found = of.values.find(name); found != of.values.end()) {
       all[name] = found->second;
     } else if (of.material) {
       throw InvalidInput::missing(name, "", "a material needs it too, in " + std::string(each.unit));
+    } else if (of.rigid && name == "poisson") {
+      all[name] = units_of_rigid.at("poisson");
     } else if (name == "poisson" && poisson) {
       all[name] = *poisson;
     } else if (each.default_value) {
@@ -136,6 +139,16 @@ const NamedMaterial* named_of(const Participant& of) {
     if (each.name == of.material_name) return &each;
   }
   return nullptr;
+}
+
+double inverse_mass_of_solid(const Participant& of) {
+  const double curvature = 1.0 / given_or(of, "radius", std::numeric_limits<double>::infinity());
+  return 3.0 / (4.0 * std::numbers::pi * of.material->density) * std::pow(curvature, 3);
+}
+
+double inverse_mass_of(const Participant& of) {
+  const double solid = inverse_mass_of_solid(of);
+  return solid / (1.0 + given_or(of, "extra_mass", 0.0) * solid);
 }
 
 double softness_of(const Participant& of) {

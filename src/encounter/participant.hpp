@@ -46,6 +46,10 @@ auto with_prefix_against(Make make) {
 [[nodiscard]] std::vector<MaterialLoss> layer_losses(const Encounter& encounter, const Participant& of,
                                                      const Solid& plate);
 
+/// 1/m of a ball with a material, 1/kg, by itself and with its extra mass; 0 of what has no radius.
+[[nodiscard]] double inverse_mass_of_solid(const Participant& of);
+[[nodiscard]] double inverse_mass_of(const Participant& of);
+
 /// (1 − ν²)/E of a body with a material, 1/Pa; 0 of a rigid one.
 [[nodiscard]] double softness_of(const Participant& of);
 

@@ -37,15 +37,18 @@ std::string times(double ratio) {
   return ratio < 1.1 ? rounded_to(4, ratio) : ratio < 10.0 ? rounded_to(3, ratio) : rounded_to(9, std::round(ratio));
 }
 
-}  // namespace
-
-std::optional<double> strength_of(const Participant& of) {
-  if (of.rigid) return std::nullopt;
-  if (const double given = given_or(of, "yield_strength", 0.0); given > 0.0) return given;
-  return of.material ? of.material->yield_strength : std::nullopt;
+/// √(m of the solids alone / m with what is fixed to them): a slower blow of a heavier ball has the same energy.
+double slower_by_extra_mass(const Encounter& encounter) {
+  const auto sum = [&](const auto& inverse) {
+    const bool wall = kind(encounter.against.kind).wall && encounter.against.kind != "same";
+    const Participant& second = encounter.against.kind == "same" ? encounter.first : encounter.against;
+    return inverse(encounter.first) + (wall ? 0.0 : inverse(second));
+  };
+  return std::sqrt(sum(inverse_mass_of) / sum(inverse_mass_of_solid));
 }
 
-std::optional<double> yield_speed(const Encounter& encounter) {
+/// Of the solids alone.
+std::optional<double> yield_speed_of_solids(const Encounter& encounter) {
   const Participant& first = encounter.first;
   if (!first.material || !kind(first.kind).can_yield) return std::nullopt;
   const double radius = given_or(first, "radius", unlimited);
@@ -61,6 +64,19 @@ std::optional<double> yield_speed(const Encounter& encounter) {
     if (encounter.against.rigid) other.young = unlimited;
     return quasistatic::yield_speed(material, radius, other, given_or(encounter.against, "radius", unlimited));
   });
+}
+
+}  // namespace
+
+std::optional<double> strength_of(const Participant& of) {
+  if (of.rigid) return std::nullopt;
+  if (const double given = given_or(of, "yield_strength", 0.0); given > 0.0) return given;
+  return of.material ? of.material->yield_strength : std::nullopt;
+}
+
+std::optional<double> yield_speed(const Encounter& encounter) {
+  const auto of_solids = yield_speed_of_solids(encounter);
+  return of_solids ? std::optional(*of_solids * slower_by_extra_mass(encounter)) : std::nullopt;
 }
 
 BodyMaker yielding_as_given(const BodyMaker& maker, const Encounter& encounter, const Participant& of) {

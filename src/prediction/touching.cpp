@@ -29,7 +29,7 @@ Side side_of(const Participant& of, std::optional<double> frequency) {
   const Material& material = *of.material;
   const double radius = given_or(of, "radius", std::numeric_limits<double>::infinity());
   side.curvature = 1.0 / radius;
-  side.inverse_mass = 3.0 / (4.0 * pi * material.density) * std::pow(side.curvature, 3);
+  side.inverse_mass = inverse_mass_of(of);
   side.surface_energy = material.surface_energy;
   side.softness = softness_of(of) / stiffer(losses_of(of), frequency.value_or(losses_of(of).frequency));
   side.yield_strength = strength_of(of);

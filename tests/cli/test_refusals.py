@@ -48,7 +48,7 @@ restitution --body rod --speed 0.1 --young 1e9 --density 1e3 --length 1 | area: 
 restitution {SOLID} --speed 1 --yield-strength 1e9 --rigid-body --against half-space,young=1e9,density=1e3 | yield_strength: 'rigid sphere poisson=0.3' is rigid, and does not yield
 restitution {BALL} --speed 0.1 --against spere | against: got 'spere', allowed wall, same, disk, sphere, rod, half-space, half-plane, plate, strip, exponential, did you mean sphere?
 restitution {BALL} --speed 0.1 --against disk | against: got disk for a sphere, allowed wall, same, sphere, half-space, plate or modal
-restitution {BALL} --speed 0.1 --against sphere,length=2 | against: got 'length', allowed poisson, radius, young, density, loss_time, quality, roughness, u0, coat, coat_young, coat_poisson, coat_quality, yield_strength, yield_hardening, yield_rate, rigid, relaxation, young_is, material, c_p, c_s with sphere
+restitution {BALL} --speed 0.1 --against sphere,length=2 | against: got 'length', allowed poisson, radius, young, density, loss_time, quality, extra_mass, roughness, u0, coat, coat_young, coat_poisson, coat_quality, yield_strength, yield_hardening, yield_rate, rigid, relaxation, young_is, material, c_p, c_s with sphere
 restitution {BALL} --speed 0.1 --against sphere,raduis=2 | against: got 'raduis'
 restitution {BALL} --speed 0.1 --against sphere, | against: got ''
 restitution {BALL} --speed 0.1 --against , | against: got ''
@@ -76,9 +76,12 @@ restitution {BALL} --speed 0.1 --against plate,thickness=1/young=2/young=3 | aga
 restitution {BALL} --speed 0.1 --against plate,thickness=1/thickness=1,loss_time=0 | against: got 'loss_time', allowed thickness, poisson, young, density, material
 restitution {BALL} --speed 0.1 --against half-space/young=2 | against layers: got 2, allowed 1 of a half-space
 restitution {STEEL} --speed 1 --against plate,thickness=4e-3,material=glass/thickness=1e-3 | against: got plate without young
-restitution {BALL} --speed 0.1 --against half-space,young=1e-4 | young ratio: got 0.0001, allowed 0.001 to 1e6 (of the half-space to the body; the waves of the stiffer one are too fast for the steps of the other: let the first be rigid (--rigid-body))
-restitution {BALL} --speed 0.1 --against half-space,young=1e7 | young ratio: got 1e+07, allowed 0.001 to 1e6 (of the half-space to the body; the waves of the stiffer one are too fast for the steps of the other: let it be a wall (--against wall))
-restitution {BALL} --speed 0.1 --against sphere,young=1e4 | young ratio: got 10000, allowed 0.001 to 1000 (of the second body to the first; the waves of the stiffer one are too fast for the steps of the other: let the second be rigid (--against ...,rigid=1))
+restitution {BALL} --speed 0.1 --against half-space,young=1e-7 | young ratio: got 1e-07, allowed 1e-6 to 1e6 (of the half-space to the body; beyond, the stiffer one is rigid: let the first be rigid (--rigid-body))
+restitution {BALL} --extra-mass -1 --speed 0.1 | extra_mass: got -1, allowed 0 or more (a mass fixed to the body)
+restitution --body disk --poisson 0.3 --extra-mass 1 --speed 0.1 | extra-mass: got '--extra-mass with --body disk'
+oblique {BALL} --extra-mass 1 --speed 0.1 --angle 30 --friction 0.1 | extra_mass: friction turns a body, and how this mass turns is not known
+restitution {BALL} --speed 0.1 --against half-space,young=1e7 | young ratio: got 1e+07, allowed 1e-6 to 1e6 (of the half-space to the body; beyond, the stiffer one is rigid: let it be a wall (--against wall))
+restitution {BALL} --speed 0.1 --against sphere,young=1e7 | young ratio: got 1e+07, allowed 1e-6 to 1e6 (of the second body to the first; beyond, the stiffer one is rigid: let the second be rigid (--against ...,rigid=1))
 restitution {BALL} --speed 0.1 --mode 2,0 | mode: got '2,0', allowed ORDER,INDEX,energy=SHARE
 restitution {BALL} --speed 0.1 --mode 2,0,phase=1 | mode: got '2,0,phase=1' without energy, allowed ORDER,INDEX,energy=SHARE, also with phase, of
 restitution {BALL} --speed 0.1 --mode 2,0,energ=1 | mode: got 'energ', allowed energy, phase, of, did you mean energy?

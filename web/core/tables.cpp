@@ -39,8 +39,10 @@ static void to_json(Json& json, const Kind& kind) {
           {"fromFile", kind.from_file},  {"length", unit_name(Dimension::length, kind.own)},
           {"parameters", Json::array()}, {"meets", Json::array()}};
   for (const Parameter& each : kind.parameters) {
-    // The page has smooth walls, of a body the rms height of its asperities, and a strength at any rate.
-    const bool left_out = each.name == "u0" || (each.name.starts_with("yield_") && each.name != "yield_strength") ||
+    // The page has smooth walls, balls without further mass, of a body the rms height of its asperities, and a strength
+    // at any rate.
+    const bool left_out = each.name == "u0" || each.name == "extra_mass" ||
+                          (each.name.starts_with("yield_") && each.name != "yield_strength") ||
                           (kind.wall && is_of_face(each.name));
     if (!left_out) json["parameters"].push_back(Json(each));
   }

@@ -188,6 +188,16 @@ using BodyMaker = std::function<Body(double cutoff, const Poll& poll)>;
 /// Makes such a body at any cutoff; of a Y of 0 the body itself.
 [[nodiscard]] BodyMaker yielding(const BodyMaker& maker, const Strength& strength);
 
+/// The same body with a mass fixed to it, as the hammer behind a ball. It moves as the body does on average over its
+/// mass, with a force that acts on all of the body alike: no mode feels it, and none is changed.
+/// @param mass in that of Body::scale, 0 or more
+/// @throws InvalidInput for a mass below 0 or not finite, and for a body other than a whole one that touches on a
+/// circle
+[[nodiscard]] Body laden(const Body& body, double mass);
+
+/// Makes such a body at any cutoff; of a mass of 0 the body itself.
+[[nodiscard]] BodyMaker laden(const BodyMaker& maker, double mass);
+
 /// Checks what a contact relies on: positive finite scale, mass and cutoff, groups with arrays of one length, finite
 /// weights and 0 < ω ≤ kept_cutoff(body), and all functions.
 /// @throws InvalidInput naming the body and what is wrong with it

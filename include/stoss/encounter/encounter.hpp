@@ -27,6 +27,9 @@ struct Participant {
   std::shared_ptr<const ModalBody> modal{};  ///< of kind "modal": the body in SI, of whose point `material` is
 };
 
+/// What a rigid body has where it is not given: it cancels, and is only a unit, in Pa.
+inline const Values units_of_rigid{{"young", 1e9}, {"poisson", 0.3}};
+
 /// Something of a kind without numbers.
 [[nodiscard]] inline Participant of_kind(std::string kind) { return {.kind = std::move(kind)}; }
 

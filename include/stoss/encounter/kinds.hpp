@@ -59,8 +59,10 @@ inline constexpr std::size_t most_layers = 20;
   return name == "roughness" || name == "u0" || name.starts_with("coat") || name.starts_with("yield");
 }
 
-/// Whether a parameter is not of a layer but of all of them together.
-[[nodiscard]] inline bool is_of_whole(std::string_view name) { return is_loss(name) || is_of_face(name); }
+/// Whether a parameter is no size, and not of a layer but of all of them together.
+[[nodiscard]] inline bool is_of_whole(std::string_view name) {
+  return is_loss(name) || is_of_face(name) || name == "extra_mass";
+}
 
 /// All kinds, in the order in which they are named.
 [[nodiscard]] const std::vector<Kind>& kinds();

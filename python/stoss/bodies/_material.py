@@ -154,6 +154,21 @@ class Material:
         young, poisson = _core.material_of_wave_speeds(number("c_p", c_p), number("c_s", c_s), number("density", density))
         return cls(young=young, poisson=poisson, density=density, **its)
 
+    @classmethod
+    def of_rigid(cls, density: float) -> Material:
+        """Make a material for a rigid body, of which only the density counts: its modulus cancels.
+
+        Parameters:
+            density (float): ρ, kg/m³.
+
+        Examples:
+            >>> bullet = stoss.Sphere(radius=0.005, rigid=True, material=stoss.Material.of_rigid(7800))
+            >>> mat = stoss.HalfSpace(material=stoss.materials["rubber"])
+            >>> stoss.restitution(bullet, against=mat, speed=1.0).restitution
+            0.7973...
+        """
+        return cls(**_core.units_of_rigid(), density=density)
+
     def __repr__(self) -> str:
         return f"Material({', '.join(f'{name}={brief(value)}' for name, value in self._words().items())})"
 

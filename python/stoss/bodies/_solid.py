@@ -14,7 +14,7 @@ from stoss import _core
 from stoss._arguments import boolean, brief, instance, number, refusal
 from stoss._documentation import with_fields
 from stoss._errors import InvalidInput
-from stoss.bodies._faces import FACE, SMOOTH, face_of
+from stoss.bodies._faces import BESIDE, SMOOTH, face_of, load_of
 from stoss.bodies._kinds import KINDS, Parameter, Specification, fields_of
 from stoss.bodies._losses import LOSSES, NO_LOSSES, losses_in, losses_of
 from stoss.bodies._material import Material, Relaxation as Relaxation, Scales, relaxation_of, young_of
@@ -48,8 +48,10 @@ class Solid:
         yield_rate (float, optional): C of the strength at a rate of strain above 1/s, Y (1 + C ln(rate)).
         material (Material): In place of `poisson`, `young` and `density`; for what meets a body
             that has one.
-        rigid (bool, optional): Young's modulus is infinite. The body keeps its mass, and the given
-            modulus remains a unit. It meets elastic ones.
+        rigid (bool, optional): Young's modulus is infinite, and the given one is only a unit (see
+            `Material.of_rigid`). The body keeps its mass. It meets elastic ones.
+        extra_mass (float, optional): Of a sphere, a mass fixed to it that moves as it does on average, as that
+            of a hammer behind its ball: kg with a material, else `density` × `radius`³. No mode feels it.
     """
 
     _kind: ClassVar[str]
@@ -79,7 +81,7 @@ class Solid:
         if material is not None:
             instance("material", material, (Material,))
             plane = "stress" if plane is None and kind.has_plane else plane
-            made |= dict.fromkeys(made) | material._constants(plane) | losses_of(material) | SMOOTH
+            made |= dict.fromkeys(made) | material._constants(plane) | losses_of(material) | SMOOTH | {"extra_mass": 0.0}
         elif plane is not None:
             raise refusal("plane", plane, "none without a material (`poisson` is the 2-D Poisson's ratio)")
         fields: dict[str, Any] = {"material": material}
@@ -129,7 +131,7 @@ class Solid:
             usual |= {each.name: each.otherwise for each in kind.parameters} | {"material": None, "plane": None}
         else:
             usual |= {each.name: fields[each.name] for each in kind.parameters if each.of_material}
-            usual |= {**SMOOTH, **(NO_LOSSES if fields.get("rigid") else losses_of(self.material))}
+            usual |= {**SMOOTH, "extra_mass": 0.0, **(NO_LOSSES if fields.get("rigid") else losses_of(self.material))}
         same = all(usual.get(name) == fields.get(name) for name in LOSSES)
         said_of_losses = {} if same else losses_in(self)
         usual |= {name: None if name in said_of_losses else fields.get(name) for name in LOSSES}
@@ -146,7 +148,7 @@ class Solid:
     def _numbers(self) -> Specification:
         """It in plain types by its numbers, as an encounter of bodies without a material has it."""
         numbers = {each.name: getattr(self, each.name) for each in KINDS[self._kind].parameters}
-        numbers = {name: each for name, each in numbers.items() if name not in FACE} | face_of(self)
+        numbers = {name: each for name, each in numbers.items() if name not in BESIDE} | face_of(self) | load_of(self)
         numbers |= {"relaxation": self.relaxation} if self.relaxation is not None else {}
         return {"kind": self._kind, **numbers, **({"rigid": True} if is_rigid(self) else {})}
 
@@ -158,7 +160,8 @@ class Solid:
         relaxation = self.relaxation and [(share, time * rate) for share, time in self.relaxation]
         losses = {"loss_time": self.loss_time * rate, "quality": self.quality, "relaxation": relaxation}
         given = {name: each for name, each in losses.items() if each or name == "loss_time"}
-        return {"kind": self._kind, **poisson, **given, **face_of(self, size, self.young)}
+        return {"kind": self._kind, **poisson, **given, **face_of(self, size, self.young),
+                **load_of(self, self.density * size**3)}
 
 
 Block = TypeVar("Block", bound="Endless")
@@ -191,14 +194,14 @@ def describe(solid: Solid) -> Specification:
         given["material"] = solid.material._words()
     usual = {name: value for name, value in given.items() if value is not None and value is not False}
     losses = losses_in(solid) if "loss_time" in given else {}
-    its = {name: value for name, value in usual.items() if name not in (*LOSSES, *FACE)}
-    return {"kind": solid._kind, **its, **losses, **face_of(solid)}
+    its = {name: value for name, value in usual.items() if name not in (*LOSSES, *BESIDE)}
+    return {"kind": solid._kind, **its, **losses, **face_of(solid), **load_of(solid)}
 
 
 @functools.lru_cache(maxsize=64)
 def alone(solid: Solid) -> _core.Encounter:
     """An elastic body by itself, in the units in which it is given: it knows those of all that comes with it."""
-    elastic = {name: value for name, value in describe(solid).items() if name not in ("rigid", *FACE)}
+    elastic = {name: value for name, value in describe(solid).items() if name not in ("rigid", *BESIDE)}
     return _core.encounter(json.dumps({"first": elastic}))
 
 

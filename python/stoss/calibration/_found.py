@@ -38,7 +38,8 @@ def _flight(body: object, air: bool) -> Flight | None:
     if not isinstance(body, Sphere):
         return None
     radius: float = getattr(body, "radius")
-    return Flight(radius, body.density, air)
+    density: float = body.density + body.extra_mass / (4.0 / 3.0 * math.pi * radius**3)
+    return Flight(radius, density, air)
 
 
 def _require_told(data: Data, meeting: Meeting, unknowns: list[Constant]) -> None:

@@ -118,7 +118,8 @@ Levels RefinableContact::levels(double speed, double longer, const Poll& poll, D
   const double half_width = expected_half_width(probe, speed), most = known_cutoff(probe, half_width, directions);
   if (std::isinf(most)) return usable;
   while (usable.highest >= lowest_of_a_point && cutoff(usable.highest) > most) --usable.highest;
-  usable.lowest = usable.highest - levels_of_a_point;
+  // Beside a much softer one, modes are known to more than the contact needs: then it climbs as those of other bodies.
+  usable.lowest = std::min(0, usable.highest - levels_of_a_point);
   if (usable.lowest < lowest_of_a_point) {
     throw NotConverged("'" + name(probe) + "': the contact would be some " +
                        rounded(std::round(1000.0 * half_width) / 1000.0) +

@@ -28,8 +28,8 @@ TAKES_MATERIAL = ("predict",)
 MOSTLY = {"predict": ["sphere"], "modes": ["disk", "sphere"], "quasistatic": ["disk", "sphere"]}
 FIXED = ["wall", "half-space", "half-plane", "plate", "strip"]
 FACE = ("roughness", "u0", "coat")
-SELDOM = ("loss_time", *FACE, "coat_young", "coat_poisson", "coat_quality", "yield_strength", "yield_hardening", "yield_rate")
-LIKELY = {"Pa": (1e5, 1e12), "m": (1e-4, 1), "kg/m^3": (100, 2e4), "m^2": (1e-6, 1), "s": (1e-12, 1e-5)}
+SELDOM = ("loss_time", "extra_mass", *FACE, "coat_young", "coat_poisson", "coat_quality", "yield_strength", "yield_hardening", "yield_rate")
+LIKELY = {"Pa": (1e5, 1e12), "m": (1e-4, 1), "kg/m^3": (100, 2e4), "m^2": (1e-6, 1), "s": (1e-12, 1e-5), "kg": (1e-6, 10)}
 
 
 class Drawer:

@@ -16,7 +16,7 @@ PLAIN = {"help", "quiet", "output", "resume", "threads", "trajectory", "every", 
 # Those that follow from the kinds or that a command must have.
 DRAWN = {"body", "poisson", "rigid-body", "loss-time", "quality", "relaxation", "young-is", "material", "radius", "young", "density", "length", "area",
          "plane", "against", "speed", "height", "angle", "tangential", "friction", "mode", "flight-time",
-         "gravity", "temperature", "roughness", "u0", "coat", "coat-young", "coat-poisson", "coat-quality", "yield-strength", "yield-hardening", "yield-rate", "spectrum", "compression", "ratio", "oblique", "predict", "c-p", "c-s"}
+         "gravity", "temperature", "extra-mass", "roughness", "u0", "coat", "coat-young", "coat-poisson", "coat-quality", "yield-strength", "yield-hardening", "yield-rate", "spectrum", "compression", "ratio", "oblique", "predict", "c-p", "c-s"}
 
 
 @pytest.fixture(scope="module")
