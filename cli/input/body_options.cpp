@@ -144,8 +144,9 @@ void BodyOptions::add_material_to(CLI::App& command) {
 
 /// Refuses options that belong to other kinds.
 void BodyOptions::require_own(const Kind& its) const {
-  const auto require = [&](const std::string& option, bool is_given, const auto& has) {
+  const auto require = [&](std::string option, bool is_given, const auto& has) {
     if (!is_given || has(its)) return;
+    std::replace(option.begin(), option.end(), '_', '-');
     std::vector<std::string> owners = kinds_;
     std::erase_if(owners, [&](const std::string& name) { return !has(kind(name)); });
     throw InvalidInput::out_of_range(fmt::format("{}", option), fmt::format("--{} with --body {}", option, its.name),

@@ -78,7 +78,7 @@ restitution {BALL} --speed 0.1 --against half-space/young=2 | against layers: go
 restitution {STEEL} --speed 1 --against plate,thickness=4e-3,material=glass/thickness=1e-3 | against: got plate without young
 restitution {BALL} --speed 0.1 --against half-space,young=1e-7 | young ratio: got 1e-07, allowed 1e-6 to 1e6 (of the half-space to the body; beyond, the stiffer one is rigid: let the first be rigid (--rigid-body))
 restitution {BALL} --extra-mass -1 --speed 0.1 | extra_mass: got -1, allowed 0 or more (a mass fixed to the body)
-restitution --body disk --poisson 0.3 --extra-mass 1 --speed 0.1 | extra-mass: got '--extra-mass with --body disk'
+restitution --body disk --poisson 0.3 --extra-mass 1 --speed 0.1 | extra-mass: got --extra-mass with --body disk, allowed only with --body sphere
 oblique {BALL} --extra-mass 1 --speed 0.1 --angle 30 --friction 0.1 | extra_mass: friction turns a body, and how this mass turns is not known
 restitution {BALL} --speed 0.1 --against half-space,young=1e7 | young ratio: got 1e+07, allowed 1e-6 to 1e6 (of the half-space to the body; beyond, the stiffer one is rigid: let it be a wall (--against wall))
 restitution {BALL} --speed 0.1 --against sphere,young=1e7 | young ratio: got 1e+07, allowed 1e-6 to 1e6 (of the second body to the first; beyond, the stiffer one is rigid: let the second be rigid (--against ...,rigid=1))

@@ -36,6 +36,7 @@ FILES = {
     "17_ring": ["ring.png"],
     "18_ball_drop_calibration": ["ball_drop.csv", "ball_drop.png", "ball_drop_below.txt", "ball_drop_force.txt"],
     "19_impact_echo": ["impact_echo.csv", "impact_echo.png"],
+    "24_leeb_hardness": ["leeb.csv", "leeb.png"],
 }
 
 
@@ -264,3 +265,16 @@ def test_impact_echo(example):
         assert float(row["thinnest_m"]) == pytest.approx(0.96 * speed / (2 * float(row["useful_Hz"])), rel=1e-6)
         # Of a sin^{3/2} of the contact time a tenth is left at 1.5 over it.
         assert float(row["useful_Hz"]) * float(row["contact_time_s"]) == pytest.approx(1.5, abs=0.05)
+
+
+def test_leeb_hardness(example):
+    rows = [{name: float(value) for name, value in row.items()} for row in example("24_leeb_hardness").csv("leeb.csv")]
+    assert len(rows) == 6
+    for row in rows:
+        # Strength that grows with the rate raises it; the ball alone dents less.
+        assert row["at_any_rate_the_same"] < row["with_the_hammer"] < row["the_ball_alone"]
+    # Of a dent that is deep, the ball's ε is a power of the strength over mv², near the 5/8 of full plasticity
+    # (Johnson, eq. 11.47): here of the strength alone, and of the mass of the hammer with it.
+    first, third = rows[0], rows[2]
+    power = np.log(third["at_any_rate_the_same"] / first["at_any_rate_the_same"]) / np.log(2)
+    assert 0.4 < power < 0.65
