@@ -29,6 +29,9 @@ struct Affected {
   int length;  ///< power of the unit of length in its unit
 };
 
+/// Errors of numbers that have nothing to do with each other add up by their squares.
+double squared(double x) { return x * x; }
+
 constexpr std::array affected{Affected{&Restitution::lost_fraction, &Impact::lost_fraction, 0},
                               Affected{&Restitution::contact_time, &Impact::contact_time, 1},
                               Affected{&Restitution::impulse_time, &Impact::impulse_time, 1},
@@ -78,22 +81,24 @@ void add_input_uncertainty(const RefinableContact& contact, double speed, double
   if (others.empty()) return;
   // Of few modes the energies above the cutoff, by which the ladder judges, may be smaller than what is gained or lost.
   result.lost_fraction.error += std::abs(finest.energy_error);
+  std::array<double, affected.size()> squares{};
+  for (std::size_t k = 0; k < affected.size(); ++k) squares[k] = squared((result.*affected[k].estimate).error);
   for (const Contact& other : others) {
     const double length = other.first->scale.length / resolved.first->scale.length;
     try {
       const Impact changed = impact(other, speed, options_of(other, resolved, finest, options.poll));
-      for (const auto& [estimate, value, power] : affected) {
-        (result.*estimate).error += std::abs(changed.*value * std::pow(length, power) - finest.*value);
+      for (std::size_t k = 0; k < affected.size(); ++k) {
+        const auto& [estimate, value, power] = affected[k];
+        squares[k] += squared(changed.*value * std::pow(length, power) - finest.*value);
       }
     } catch (const NotConverged&) {  // the body might be one that cannot be computed: nothing is certain
-      for (const auto& [estimate, value, power] : affected) {
-        (result.*estimate).error = std::numeric_limits<double>::infinity();
-      }
+      squares.fill(std::numeric_limits<double>::infinity());
     }
   }
-  const double error = result.lost_fraction.error, squared = std::max(0.0, 1.0 - result.lost_fraction.value);
+  for (std::size_t k = 0; k < affected.size(); ++k) (result.*affected[k].estimate).error = std::sqrt(squares[k]);
+  const double error = result.lost_fraction.error, left = std::max(0.0, 1.0 - result.lost_fraction.value);
   result.restitution.error =
-      std::isinf(error) ? error : error / (std::sqrt(squared + error) + std::abs(result.restitution.value));
+      std::isinf(error) ? error : error / (std::sqrt(left + error) + std::abs(result.restitution.value));
 }
 
 namespace {
@@ -119,24 +124,44 @@ constexpr std::array doubtful{
 /// Rules that ended at one cutoff.
 using Group = std::vector<ObliqueRestitution*>;
 
+/// Squares of the errors of each rule of a group.
+using Squares = std::vector<std::array<double, doubtful.size()>>;
+
 void add_alternative(const Contact& other, const Contact& resolved, double speed, const ObliqueOptions& options,
-                     const Group& group) {
+                     const Group& group, Squares& squares) {
   const double longer = other.first->scale.length / resolved.first->scale.length;
   try {
     const SharedNormalImpact shared(other, speed,
                                     options_of(other, resolved, group.front()->finest.normal, options.poll));
-    for (ObliqueRestitution* each : group) {
-      Obliquity before = each->before;
+    for (std::size_t j = 0; j < group.size(); ++j) {
+      Obliquity before = group[j]->before;
       before.spin *= longer, before.second_spin *= longer;
       const ObliqueImpact changed = shared.with(before, options.poll);
-      for (const auto& [estimate, value, turns] : doubtful) {
-        const double unit = turns ? longer : 1.0;
-        (each->*estimate).error += std::abs(value(changed) / unit - value(each->finest));
+      for (std::size_t k = 0; k < doubtful.size(); ++k) {
+        const auto& [estimate, value, turns] = doubtful[k];
+        squares[j][k] += squared(value(changed) / (turns ? longer : 1.0) - value(group[j]->finest));
       }
     }
   } catch (const NotConverged&) {  // the body might be one that cannot be computed: nothing is certain
-    for (ObliqueRestitution* each : group) {
-      for (const Doubtful& its : doubtful) (each->*its.estimate).error = std::numeric_limits<double>::infinity();
+    for (auto& each : squares) each.fill(std::numeric_limits<double>::infinity());
+  }
+}
+
+void add_alternatives(const Contact& resolved, double speed, const ObliqueOptions& options, const Group& group) {
+  Squares squares(group.size());
+  for (std::size_t j = 0; j < group.size(); ++j) {
+    for (std::size_t k = 0; k < doubtful.size(); ++k) {
+      squares[j][k] = squared((group[j]->*doubtful[k].estimate).error);
+    }
+  }
+  for (const Affects motion : {Affects::both, Affects::along}) {
+    for (const Contact& other : alternatives(resolved, motion)) {
+      add_alternative(other, resolved, speed, options, group, squares);
+    }
+  }
+  for (std::size_t j = 0; j < group.size(); ++j) {
+    for (std::size_t k = 0; k < doubtful.size(); ++k) {
+      (group[j]->*doubtful[k].estimate).error = std::sqrt(squares[j][k]);
     }
   }
 }
@@ -188,15 +213,10 @@ void add_oblique_input_uncertainty(const RefinableContact& contact, double speed
   }
   for (const Group& group : groups) {
     const Contact& resolved = contact.at(group.front()->finest.normal.cutoff, stretch, options.poll);
-    for (ObliqueRestitution* each : group) add_unknown(resolved, *each);
     const bool rough = std::any_of(group.begin(), group.end(),
                                    [](const ObliqueRestitution* each) { return each->before.friction > 0.0; });
-    if (!rough) continue;
-    for (const Affects motion : {Affects::both, Affects::along}) {
-      for (const Contact& other : alternatives(resolved, motion)) {
-        add_alternative(other, resolved, speed, options, group);
-      }
-    }
+    if (rough) add_alternatives(resolved, speed, options, group);
+    for (ObliqueRestitution* each : group) add_unknown(resolved, *each);
   }
   for (ObliqueRestitution& each : results) {
     if (each.sliding != 0.0) each.tangential_restitution.error = each.sliding_after.error / std::abs(each.sliding);

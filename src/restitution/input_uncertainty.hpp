@@ -7,7 +7,7 @@
 
 namespace stoss {
 
-/// Adds to the errors of a result what is not known of bodies of which only a point is (Validity): the difference that
+/// Adds to the errors of a result, by their squares, what is not known of bodies of which only a point is (Validity): the difference that
 /// each of their alternatives makes to the finest impact. Whether the result has converged is a matter of its runs
 /// alone.
 /// @param stretch of the contact, as RefinableContact::at

@@ -47,12 +47,12 @@ std::vector<ModalBody> alternatives(const ModalBody& its, double other) {
     all.push_back(
         with_modes(its, [bend](PointMode& mode) { mode.bend = bend * mode.displacement * mode.omega * mode.omega; }));
   }
-  if (its.curvature_difference > 0.0) {
-    // Of Hertz' ellipses up to 4 : 1 the curvature counts that is A B (A + B)/2, cubed, with the relative ones A, B.
-    all.push_back(its);
-    const double mean = its.curvature + other / own_length(its), half = 0.5 * its.curvature_difference;
-    all.back().curvature -= mean - std::cbrt((mean * mean - half * half) * mean);
-    all.back().curvature_difference = 0.0;  // round, or its own ratio may be refused
+  if (its.curvature_difference > 0.0 && its.has_bends) {
+    // Of an ellipse as stiff as a circle the mean of r² is greater, and that along its long side at most by 1 + 2t, as
+    // modes may bend along it alone (t = |A − B|/(A + B) up to 0.6).
+    const double mean = its.curvature + other / own_length(its);
+    const double longer = 1.0 + its.curvature_difference / mean;
+    all.push_back(with_modes(its, [longer](PointMode& mode) { mode.bend *= longer; }));
   }
   return all;
 }
