@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "check.hpp"
 #include "encounter/json_values.hpp"
 #include "encounter/modal_rotation.hpp"
 
@@ -35,6 +36,18 @@ void read_curvature(const std::string& where, const Json& given, ModalBody& body
   }
   body.curvature = 0.5 * (both[0] + both[1]);
   body.curvature_difference = std::abs(both[0] - both[1]);
+}
+
+/// Of gels c is some 1 m/s, of diamond 18 km/s: a file in mm, t and MPa has 5·10⁶ for steel.
+void require_wave_speed(const std::string& where, const ModalBody& body) {
+  constexpr double least = 0.5, most = 3e4;
+  if (!(body.young > 0.0 && body.density > 0.0)) return;  // refused with the body
+  const double speed = std::sqrt(body.young / body.density);
+  if (speed >= least && speed <= most) return;
+  throw InvalidInput::out_of_range(where + " young",
+                                   shown(body.young) + " with density " + shown(body.density) +
+                                       ", which make a speed of sound of " + rounded(speed, 2) + " m/s",
+                                   "Pa and kg/m3 that make 0.5 to 3e4 m/s", "body files are in SI units");
 }
 
 void read_modes(const std::string& where, const Json& given, ModalBody& body) {
@@ -89,6 +102,7 @@ ModalBody modal_body_from_json(std::string_view text, const std::string& where) 
                                                                                    {"compliance", &body.compliance}}}) {
     *place = needed(where, given, name);
   }
+  require_wave_speed(where, body);
   if (given.contains("loss_time")) body.loss_time = needed(where, given, "loss_time");
   if (given.contains("compliance_error")) body.compliance_error = needed(where, given, "compliance_error");
   if (!given.contains("modes")) throw InvalidInput::missing(where + " modes", "frequency and displacement");

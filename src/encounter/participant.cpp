@@ -129,6 +129,12 @@ double given_or(const Participant& of, std::string_view name, double otherwise) 
   return found == of.values.end() ? otherwise : found->second;
 }
 
+double size_of_first(const Encounter& encounter) {
+  const Participant& first = encounter.first;
+  if (first.modal) return own_length(*first.modal);
+  return given_or(first, "radius", given_or(first, "length", 1.0));
+}
+
 double loss_time_of(const Participant& of) { return losses_of(of).loss_time; }
 
 const NamedMaterial* named_of(const Participant& of) {

@@ -46,6 +46,9 @@ auto with_prefix_against(Make make) {
 [[nodiscard]] std::vector<MaterialLoss> layer_losses(const Encounter& encounter, const Participant& of,
                                                      const Solid& plate);
 
+/// Unit of length of the first body, as given: its radius, its length, or own_length.
+[[nodiscard]] double size_of_first(const Encounter& encounter);
+
 /// (1 − ν²)/E of a body with a material, 1/Pa; 0 of a rigid one.
 [[nodiscard]] double softness_of(const Participant& of);
 

@@ -29,8 +29,21 @@ struct Affected {
   int length;  ///< power of the unit of length in its unit
 };
 
-/// Errors of numbers that have nothing to do with each other add up by their squares.
-double squared(double x) { return x * x; }
+/// An error to which others are added: those of numbers, which have nothing to do with each other, by their squares.
+struct Sum {
+  double squares = 0.0, bounds = 0.0;
+
+  Sum() = default;
+  explicit Sum(double error) : squares(error * error) {}
+  void add(double change, bool is_bound) { is_bound ? bounds += std::abs(change) : squares += change * change; }
+  [[nodiscard]] double error() const { return std::sqrt(squares) + bounds; }
+};
+
+constexpr double nothing_certain = std::numeric_limits<double>::infinity();
+
+bool is_bound(const Contact& other) {
+  return other.first->known.is_bound || (other.second != nullptr && other.second->known.is_bound);
+}
 
 constexpr std::array affected{Affected{&Restitution::lost_fraction, &Impact::lost_fraction, 0},
                               Affected{&Restitution::contact_time, &Impact::contact_time, 1},
@@ -81,21 +94,21 @@ void add_input_uncertainty(const RefinableContact& contact, double speed, double
   if (others.empty()) return;
   // Of few modes the energies above the cutoff, by which the ladder judges, may be smaller than what is gained or lost.
   result.lost_fraction.error += std::abs(finest.energy_error);
-  std::array<double, affected.size()> squares{};
-  for (std::size_t k = 0; k < affected.size(); ++k) squares[k] = squared((result.*affected[k].estimate).error);
+  std::array<Sum, affected.size()> sums{};
+  for (std::size_t k = 0; k < affected.size(); ++k) sums[k] = Sum((result.*affected[k].estimate).error);
   for (const Contact& other : others) {
     const double length = other.first->scale.length / resolved.first->scale.length;
     try {
       const Impact changed = impact(other, speed, options_of(other, resolved, finest, options.poll));
       for (std::size_t k = 0; k < affected.size(); ++k) {
         const auto& [estimate, value, power] = affected[k];
-        squares[k] += squared(changed.*value * std::pow(length, power) - finest.*value);
+        sums[k].add(changed.*value * std::pow(length, power) - finest.*value, is_bound(other));
       }
     } catch (const NotConverged&) {  // the body might be one that cannot be computed: nothing is certain
-      squares.fill(std::numeric_limits<double>::infinity());
+      sums.fill(Sum(nothing_certain));
     }
   }
-  for (std::size_t k = 0; k < affected.size(); ++k) (result.*affected[k].estimate).error = std::sqrt(squares[k]);
+  for (std::size_t k = 0; k < affected.size(); ++k) (result.*affected[k].estimate).error = sums[k].error();
   const double error = result.lost_fraction.error, left = std::max(0.0, 1.0 - result.lost_fraction.value);
   result.restitution.error =
       std::isinf(error) ? error : error / (std::sqrt(left + error) + std::abs(result.restitution.value));
@@ -124,11 +137,11 @@ constexpr std::array doubtful{
 /// Rules that ended at one cutoff.
 using Group = std::vector<ObliqueRestitution*>;
 
-/// Squares of the errors of each rule of a group.
-using Squares = std::vector<std::array<double, doubtful.size()>>;
+/// The errors of each rule of a group.
+using Sums = std::vector<std::array<Sum, doubtful.size()>>;
 
 void add_alternative(const Contact& other, const Contact& resolved, double speed, const ObliqueOptions& options,
-                     const Group& group, Squares& squares) {
+                     const Group& group, Sums& sums) {
   const double longer = other.first->scale.length / resolved.first->scale.length;
   try {
     const SharedNormalImpact shared(other, speed,
@@ -139,29 +152,29 @@ void add_alternative(const Contact& other, const Contact& resolved, double speed
       const ObliqueImpact changed = shared.with(before, options.poll);
       for (std::size_t k = 0; k < doubtful.size(); ++k) {
         const auto& [estimate, value, turns] = doubtful[k];
-        squares[j][k] += squared(value(changed) / (turns ? longer : 1.0) - value(group[j]->finest));
+        sums[j][k].add(value(changed) / (turns ? longer : 1.0) - value(group[j]->finest), is_bound(other));
       }
     }
   } catch (const NotConverged&) {  // the body might be one that cannot be computed: nothing is certain
-    for (auto& each : squares) each.fill(std::numeric_limits<double>::infinity());
+    for (auto& each : sums) each.fill(Sum(nothing_certain));
   }
 }
 
 void add_alternatives(const Contact& resolved, double speed, const ObliqueOptions& options, const Group& group) {
-  Squares squares(group.size());
+  Sums sums(group.size());
   for (std::size_t j = 0; j < group.size(); ++j) {
     for (std::size_t k = 0; k < doubtful.size(); ++k) {
-      squares[j][k] = squared((group[j]->*doubtful[k].estimate).error);
+      sums[j][k] = Sum((group[j]->*doubtful[k].estimate).error);
     }
   }
   for (const Affects motion : {Affects::both, Affects::along}) {
     for (const Contact& other : alternatives(resolved, motion)) {
-      add_alternative(other, resolved, speed, options, group, squares);
+      add_alternative(other, resolved, speed, options, group, sums);
     }
   }
   for (std::size_t j = 0; j < group.size(); ++j) {
     for (std::size_t k = 0; k < doubtful.size(); ++k) {
-      (group[j]->*doubtful[k].estimate).error = std::sqrt(squares[j][k]);
+      (group[j]->*doubtful[k].estimate).error = sums[j][k].error();
     }
   }
 }
