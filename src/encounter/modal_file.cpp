@@ -50,6 +50,20 @@ void require_wave_speed(const std::string& where, const ModalBody& body) {
                                    "Pa and kg/m3 that make 0.5 to 3e4 m/s", "body files are in SI units");
 }
 
+/// Of all bodies of one mass and density a ball has the least moments of inertia, 0.46 M (M/ρ)^{2/3} in sum.
+void require_inertia(const std::string& where, const Json& given, const ModalBody& body) {
+  if (!given.contains("rotation") || !(body.density > 0.0)) return;
+  constexpr double of_ball = 0.46, denser_inside = 0.1;
+  const double mass = needed(where, given, "mass"), least = of_ball * mass * std::pow(mass / body.density, 2.0 / 3.0);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) sum += given["rotation"]["inertia"][i][i].get<double>();
+  if (sum >= denser_inside * least) return;
+  throw InvalidInput::out_of_range(
+      where + " mass", shown(mass) + " with moments of inertia of " + rounded(sum) + " in sum",
+      "moments of " + rounded(least) + " and more, those of a ball of this mass and density",
+      "are all numbers in one system of units: kg, kg m2, kg/m3?");
+}
+
 void read_modes(const std::string& where, const Json& given, ModalBody& body) {
   require_keys(where, given,
                {"frequency", "displacement", "displacement_curvature", "frequency_error", "displacement_error",
@@ -103,6 +117,7 @@ ModalBody modal_body_from_json(std::string_view text, const std::string& where) 
     *place = needed(where, given, name);
   }
   require_wave_speed(where, body);
+  require_inertia(where, given, body);
   if (given.contains("loss_time")) body.loss_time = needed(where, given, "loss_time");
   if (given.contains("compliance_error")) body.compliance_error = needed(where, given, "compliance_error");
   if (!given.contains("modes")) throw InvalidInput::missing(where + " modes", "frequency and displacement");
