@@ -43,7 +43,7 @@ struct FewModes {
 };
 
 // Spheres by modes up to 1.5 to 18 c/R, at walls, balls and half-spaces, 400 impacts at up to eight numbers of modes
-// each; hollow ones, radii 0.5 to 0.9, 240 impacts (numerics, 18; 2026-11-30).
+// each; hollow ones, radii 0.5 to 0.9, 240 impacts (numerics, 20; 2026-11-30).
 inline constexpr FewModes few_modes{0.35, 0.5, 1e-3, 0.25, 0.7, 2.0};
 inline constexpr double share_of_few_modes_from = 8.0;  // below, the share of U that comes back is that of this cutoff
 
