@@ -24,7 +24,8 @@ for name in "${@:-sphere hollow_sphere bar beam plate ring bell bat coin}"; do
   for each in $name; do
     case $each in
       sphere)
-        body sphere --point 6,0,8 --normal 6,0,8 --size 2 --size-at-point 0.25 -o sphere.json ;;
+        body sphere --point 6,0,8 --normal 6,0,8 --tangent 8,0,-6 --size 2 --size-at-point 0.25 \
+          --modes 100 -o sphere.json ;;
       hollow_sphere) # by its closed forms, and by two meshes
         "$python" hollow_sphere.py
         body hollow_sphere --point 6,0,8 --normal 6,0,8 --size 0.9 --size-at-point 0.1 --modes 60 \
@@ -33,7 +34,9 @@ for name in "${@:-sphere hollow_sphere bar beam plate ring bell bat coin}"; do
         body bar --point 50,0,0 --normal 1,0,0 --size 2.5 --size-at-point 0.12 --modes 60 \
           -o bar.json ;;
       beam)
-        for x in 0 30 55 95; do # the middle, on the way, a node of the first mode, near the end
+        body beam --point 0,0,5 --normal 0,0,1 --tangent 1,0,0 --size 4 --size-at-point 0.25 --modes 40 \
+          --name "beam struck at x = 0 mm" -o beam_0.json
+        for x in 30 55 95; do # on the way, a node of the first mode, near the end
           body beam --point "$x,0,5" --normal 0,0,1 --size 4 --size-at-point 0.25 --modes 40 \
             --name "beam struck at x = $x mm" -o "beam_$x.json"
         done ;;

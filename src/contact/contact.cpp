@@ -7,6 +7,7 @@
 
 #include "check.hpp"
 #include "contact/contact_cache.hpp"
+#include "contact/ellipse.hpp"
 #include "contact/faces/coats.hpp"
 #include "contact/unit_ratios.hpp"
 #include "stoss/errors.hpp"
@@ -85,6 +86,7 @@ Contact contact(std::shared_ptr<const Body> body, const Wall& wall) {
     throw InvalidInput::conflict(
         "curvature", "the surface of '" + body->name + "' is flat, as the wall is, and at least one must be curved");
   }
+  body = as_round(std::move(body), 0.0);
   Contact contact;
   contact.wall = wall;
   contact.asperities = body->asperities;
@@ -111,6 +113,9 @@ Contact contact(std::shared_ptr<const Body> first, std::shared_ptr<const Body> s
   validate(*second);
   require_partners(*first, *second);
   const UnitRatios units(*second, *first);
+  const double own = first->curvature, met = second->curvature;
+  first = as_round(std::move(first), met / units.length);
+  second = as_round(std::move(second), own * units.length);
   Contact contact;
   contact.mass = reduced(first->mass, is_unbounded(*second) ? whole_mass(*second) : second->mass * units.mass);
   contact.whole_mass = reduced(whole_mass(*first), whole_mass(*second) * units.mass);

@@ -65,16 +65,6 @@ void require_contours(const Body& first, const Body& second) {
                                    "a disk meets disks and half-planes, a sphere spheres and half-spaces, a rod rods");
 }
 
-/// Refuses a contact that is far from a circle. @param other curvature of what the body meets, in its units
-void require_round(const Body& body, double other) {
-  constexpr double most = 4.0;
-  const double mean = body.curvature + other, half = 0.5 * body.curvature_difference;
-  if (mean > half && mean + half <= most * (mean - half)) return;
-  throw InvalidInput::out_of_range(
-      "curvature", "principal curvatures of '" + body.name + "' that make a long contact with what it meets",
-      "relative ones up to 4 : 1");
-}
-
 }  // namespace
 
 std::string short_name(const Body& body) {

@@ -150,7 +150,7 @@ std::optional<Solid> second_solid(const Encounter& encounter) {
   const auto poisson = first.find("poisson");
   const auto its = poisson == first.end() ? std::nullopt : std::optional(poisson->second);
   // A half-plane has no size: that of the first serves to express its modulus.
-  const double radius = given_or(encounter.first, "radius", 1.0);
+  const double radius = size_of_first(encounter);
   const Kind& against = kind(encounter.against.kind);
   return with_prefix_against([&] {
     if (against.from_file) return std::optional(modal_solid(encounter, encounter.against));

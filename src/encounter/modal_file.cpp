@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "check.hpp"
 #include "encounter/json_values.hpp"
 #include "encounter/modal_rotation.hpp"
 
@@ -35,6 +36,32 @@ void read_curvature(const std::string& where, const Json& given, ModalBody& body
   }
   body.curvature = 0.5 * (both[0] + both[1]);
   body.curvature_difference = std::abs(both[0] - both[1]);
+}
+
+/// Of gels c is some 1 m/s, of diamond 18 km/s: a file in mm, t and MPa has 5·10⁶ for steel.
+void require_wave_speed(const std::string& where, const ModalBody& body) {
+  constexpr double least = 0.5, most = 3e4;
+  if (!(body.young > 0.0 && body.density > 0.0)) return;  // refused with the body
+  const double speed = std::sqrt(body.young / body.density);
+  if (speed >= least && speed <= most) return;
+  throw InvalidInput::out_of_range(where + " young",
+                                   shown(body.young) + " with density " + shown(body.density) +
+                                       ", which make a speed of sound of " + rounded(speed, 2) + " m/s",
+                                   "Pa and kg/m3 that make 0.5 to 3e4 m/s", "body files are in SI units");
+}
+
+/// Of all bodies of one mass and density a ball has the least moments of inertia, 0.46 M (M/ρ)^{2/3} in sum.
+void require_inertia(const std::string& where, const Json& given, const ModalBody& body) {
+  if (!given.contains("rotation") || !(body.density > 0.0)) return;
+  constexpr double of_ball = 0.46, denser_inside = 0.1;
+  const double mass = needed(where, given, "mass"), least = of_ball * mass * std::pow(mass / body.density, 2.0 / 3.0);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) sum += given["rotation"]["inertia"][i][i].get<double>();
+  if (sum >= denser_inside * least) return;
+  throw InvalidInput::out_of_range(
+      where + " mass", shown(mass) + " with moments of inertia of " + rounded(sum) + " in sum",
+      "moments of " + rounded(least) + " and more, those of a ball of this mass and density",
+      "are all numbers in one system of units: kg, kg m2, kg/m3?");
 }
 
 void read_modes(const std::string& where, const Json& given, ModalBody& body) {
@@ -89,6 +116,8 @@ ModalBody modal_body_from_json(std::string_view text, const std::string& where) 
                                                                                    {"compliance", &body.compliance}}}) {
     *place = needed(where, given, name);
   }
+  require_wave_speed(where, body);
+  require_inertia(where, given, body);
   if (given.contains("loss_time")) body.loss_time = needed(where, given, "loss_time");
   if (given.contains("compliance_error")) body.compliance_error = needed(where, given, "compliance_error");
   if (!given.contains("modes")) throw InvalidInput::missing(where + " modes", "frequency and displacement");

@@ -132,6 +132,12 @@ double given_or(const Participant& of, std::string_view name, double otherwise) 
   return found == of.values.end() ? otherwise : found->second;
 }
 
+double size_of_first(const Encounter& encounter) {
+  const Participant& first = encounter.first;
+  if (first.modal) return own_length(*first.modal);
+  return given_or(first, "radius", given_or(first, "length", 1.0));
+}
+
 double loss_time_of(const Participant& of) { return losses_of(of).loss_time; }
 
 const NamedMaterial* named_of(const Participant& of) {
@@ -142,6 +148,7 @@ const NamedMaterial* named_of(const Participant& of) {
 }
 
 double inverse_mass_of_solid(const Participant& of) {
+  if (of.modal) return 1.0 / of.modal->mass;
   const double curvature = 1.0 / given_or(of, "radius", std::numeric_limits<double>::infinity());
   return 3.0 / (4.0 * std::numbers::pi * of.material->density) * std::pow(curvature, 3);
 }

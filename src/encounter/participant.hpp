@@ -50,6 +50,9 @@ auto with_prefix_against(Make make) {
 [[nodiscard]] double inverse_mass_of_solid(const Participant& of);
 [[nodiscard]] double inverse_mass_of(const Participant& of);
 
+/// Unit of length of the first body, as given: its radius, its length, or own_length.
+[[nodiscard]] double size_of_first(const Encounter& encounter);
+
 /// (1 − ν²)/E of a body with a material, 1/Pa; 0 of a rigid one.
 [[nodiscard]] double softness_of(const Participant& of);
 

@@ -12,13 +12,6 @@ namespace {
 
 constexpr Range at_least_zero{0.0, std::numeric_limits<double>::infinity(), true, false, "0 or more"};
 
-/// That of the first body, in the unit in which it is given.
-double size_of_first(const Encounter& encounter) {
-  const Participant& first = encounter.first;
-  if (first.modal) return own_length(*first.modal);
-  return given_or(first, "radius", given_or(first, "length", 1.0));
-}
-
 /// Refuses one that is larger than the first body. @param size of that
 void require_of_size(const Participant& of, double size) {
   for (const Parameter& each : kind(of.kind).parameters) {

@@ -87,8 +87,7 @@ BodyMaker yielding_as_given(const BodyMaker& maker, const Encounter& encounter, 
     if (hardening > 0.0) throw InvalidInput::missing("yield_strength", "", "there is a yield_hardening");
     return maker;
   }
-  const double young =
-      of.modal ? of.modal->young : all_values(of, 0.0, given_or(encounter.first, "radius", 1.0)).at("young");
+  const double young = of.modal ? of.modal->young : all_values(of, 0.0, size_of_first(encounter)).at("young");
   const Strength strength{given / young, hardening / young, rate};
   if (rate == 0.0) return yielding(maker, strength);
   const auto scales = si_scales(encounter);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
+#include <utility>
 
 #include "check.hpp"
 #include "encounter/participant.hpp"
@@ -87,9 +89,22 @@ bool loses_energy(const Participant& of) {
                      [](const Losses& its) { return its != Losses{.frequency = its.frequency}; });
 }
 
+/// A body by its modes with another modulus, density or loss: the same numbers in a unit that is smaller by the factor.
+void enlarge_modal(Participant& of, std::string_view constant, double factor) {
+  ModalBody its = *of.modal;
+  if (constant == "young") its = in_units(its, 1.0, 1.0 / factor, 1.0);
+  if (constant == "density") its = in_units(its, 1.0, 1.0, 1.0 / factor);
+  if (constant == "loss") its.loss_time *= factor;
+  of.modal = std::make_shared<const ModalBody>(std::move(its));
+}
+
+/// What ν would do to modes is not known of a body that has nothing else.
+bool is_constant_of(const Participant& of, const Constant& constant) { return !of.modal || constant.name != "poisson"; }
+
 /// Layers of a plate keep theirs, but for the loss: only the top one varies.
 Participant enlarged(Participant of, const Constant& constant, double factor) {
   constant.enlarge(of, factor);
+  if (of.modal) enlarge_modal(of, constant.name, factor);
   of.material_name.clear();
   return of;
 }
@@ -103,7 +118,10 @@ std::string allowed_names(const Encounter& encounter) {
   std::string names = "work_of_adhesion";
   for (const std::string before : {"", "against."}) {
     if (!before.empty() && !encounter.against.material) continue;
-    for (const Constant& each : constants()) names += ", " + before + std::string(each.name);
+    for (const Constant& each : constants()) {
+      const Participant& of = before.empty() ? encounter.first : encounter.against;
+      if (is_constant_of(of, each)) names += ", " + before + std::string(each.name);
+    }
   }
   for (const std::string before : {"", "against."}) {
     if (has_roughness(before.empty() ? encounter.first : encounter.against)) names += ", " + before + "roughness";
@@ -118,8 +136,10 @@ void require_names(const Encounter& encounter, const PredictionOptions& options)
     const bool known = (name == "work_of_adhesion") ||
                        (constant == "roughness" && has_roughness(other ? encounter.against : encounter.first)) ||
                        ((!other || encounter.against.material) &&
-                        std::any_of(constants().begin(), constants().end(),
-                                    [&](const Constant& each) { return each.name == constant; }));
+                        std::any_of(constants().begin(), constants().end(), [&](const Constant& each) {
+                          const Participant& of = other ? encounter.against : encounter.first;
+                          return each.name == constant && is_constant_of(of, each);
+                        }));
     if (!known) {
       throw InvalidInput::out_of_range("uncertainties", "'" + name + "'", allowed_names(encounter));
     }
@@ -142,7 +162,7 @@ std::vector<Variant> variants(const Encounter& encounter, const PredictionOption
     for (const Constant& each : constants()) {
       const std::string name = before + std::string(each.name);
       const double uncertainty = uncertainty_of(name, known.*each.known);
-      if (uncertainty == 0.0) continue;
+      if (uncertainty == 0.0 || !is_constant_of(encounter.*side, each)) continue;
       if (each.name == "loss" && !loses_energy(encounter.*side)) continue;
       Variant variant{name, uncertainty, encounter, options.work_of_adhesion, each.computed};
       variant.encounter.*side = enlarged(encounter.*side, each, 1.0 + uncertainty);

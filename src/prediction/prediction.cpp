@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "check.hpp"
+#include "encounter/participant.hpp"
 #include "prediction/constants.hpp"
 #include "prediction/idealized.hpp"
 #include "prediction/touching.hpp"
@@ -133,7 +134,7 @@ class PredictionAtSpeed {
   /// Share of the energy that adhesion takes as the bodies part, with the dent that they have.
   [[nodiscard]] double adhesion(const Touching& its) const {
     if (its.work_of_adhesion == 0.0) return 0.0;
-    const double length = encounter_.first.values.at("radius");
+    const double length = size_of_first(encounter_);
     const double compression = yields_ ? real_.max_compression.value * length : 0.0;
     return its.adhesion(compression) / (0.5 * its.mass * speed_ * speed_);
   }

@@ -1,4 +1,5 @@
 // Speeds at which yield and adhesion begin to matter.
+#include "encounter/participant.hpp"
 #include "prediction/touching.hpp"
 #include "stoss/encounter/roughness.hpp"
 #include "stoss/prediction/prediction.hpp"
@@ -15,7 +16,7 @@ Thresholds thresholds(const Encounter& encounter, const PredictionOptions& optio
   constexpr double matters = 10.0;  // (v_s/v)² is a hundredth
   made.adhesion = matters * made.sticking;
   constexpr double compressions = 100.0;
-  const double given = asperities_of(encounter) * encounter.first.values.at("radius");
+  const double given = asperities_of(encounter) * size_of_first(encounter);
   const double asperities = given > 0.0 ? given : asperities_over_rms * bearing_ball_roughness;
   made.rough = its.speed_of_compression(compressions * asperities);
   return made;

@@ -27,8 +27,8 @@ struct Side {
 Side side_of(const Participant& of, std::optional<double> frequency) {
   Side side;
   const Material& material = *of.material;
-  const double radius = given_or(of, "radius", std::numeric_limits<double>::infinity());
-  side.curvature = 1.0 / radius;
+  side.curvature =
+      of.modal ? of.modal->curvature : 1.0 / given_or(of, "radius", std::numeric_limits<double>::infinity());
   side.inverse_mass = inverse_mass_of(of);
   side.surface_energy = material.surface_energy;
   side.softness = softness_of(of) / stiffer(losses_of(of), frequency.value_or(losses_of(of).frequency));
@@ -112,13 +112,14 @@ Touching touching(const Encounter& encounter, std::optional<double> work_of_adhe
   validate(encounter);
   const Participant& ball = encounter.first;
   const Participant& met = encounter.against;
-  if (ball.kind != "sphere") {
-    throw InvalidInput::out_of_range("body", "a " + ball.kind, "a sphere", "yield and adhesion are models of balls");
+  if (ball.kind != "sphere" && !ball.modal) {
+    throw InvalidInput::out_of_range("body", "a " + ball.kind, "a sphere, or a body by its modes at a point",
+                                     "yield and adhesion are models of what touches on a circle");
   }
   if (!ball.material)
     throw InvalidInput::missing("material", "", "the ball needs one, and so does what it meets, in SI");
-  if (met.kind == "exponential" || met.modal) {
-    throw InvalidInput::out_of_range("against", met.kind, "wall, same, sphere, half-space or plate");
+  if (met.kind == "exponential") {
+    throw InvalidInput::out_of_range("against", met.kind, "wall, same, sphere, half-space, plate or modal");
   }
   const Side one = side_of(ball, frequency);
   Side other;
@@ -127,6 +128,7 @@ Touching touching(const Encounter& encounter, std::optional<double> work_of_adhe
   if (met.material) other = side_of(met, frequency);
   Touching made;
   made.pair = {one.curvature + other.curvature, one.softness + other.softness};
+  if (made.pair.curvature == 0.0) (void)refinable(encounter);  // refuses flat faces
   made.mass = 1.0 / (one.inverse_mass + other.inverse_mass);
   if (const auto strength = weaker(one.yield_strength, other.yield_strength)) {
     made.yield_strength = strength;

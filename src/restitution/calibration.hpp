@@ -35,6 +35,18 @@ inline constexpr double order_of_losses = 1.75;          // in place of 2.5: ref
 inline constexpr Differences lost_at_a_point{1.0, 6.0};  // rods, of which ε is known exactly (2026-11-22)
 inline constexpr double unresolved_at_a_point = 0.5;     // of U, the same rods
 
+/// Of bodies known at a point (few_modes.hpp): k at a cutoff of 4, and how it falls with cutoff and speed.
+struct FewModes {
+  double at_4, power;
+  double speed, speed_power, fast;  ///< speed at which it is that, and the least factor of faster ones
+  double most;
+};
+
+// Spheres by modes up to 1.5 to 18 c/R, at walls, balls and half-spaces, 400 impacts at up to eight numbers of modes
+// each; hollow ones, radii 0.5 to 0.9, 240 impacts (numerics, 20; 2026-11-30).
+inline constexpr FewModes few_modes{0.35, 0.5, 1e-3, 0.25, 0.7, 2.0};
+inline constexpr double share_of_few_modes_from = 8.0;  // below, the share of U that comes back is that of this cutoff
+
 // Nodes of lossy bodies: reference_lossy.csv (2026-11-23).
 inline constexpr double nodes_of_balls = 12.0, nodes_on_a_line = 2.1;
 inline constexpr double relaxing_nodes = 0.7, always_left = 0.03;  // nodes that relax (numerics, 9; 2026-11-29)

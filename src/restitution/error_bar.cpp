@@ -9,6 +9,7 @@
 #include "contact/unit_ratios.hpp"
 #include "restitution/calibration.hpp"
 #include "restitution/face_errors.hpp"
+#include "restitution/few_modes.hpp"
 #include "restitution/ladder/climb.hpp"
 #include "restitution/layer_doubt.hpp"
 #include "restitution/loss_shares.hpp"
@@ -85,19 +86,22 @@ Bar lost_on_a_growing_contact(const Contact& contact, double speed, const std::v
   using namespace calibration;
   const auto missing = touch(contact).circle ? missing_of_balls : missing_on_a_line;
   const double scale = time_scale(contact), own = mach_number(contact, speed);
-  const auto corrected = [&](const Run& run) {
-    const double share = missing(run.cutoff * scale, own).share;
+  const bool few = has_few_modes(contact);
+  const auto corrected_from = [&](const Run& run, double least) {
+    const double share = missing(std::max(run.cutoff * scale, least), own).share;
     return run.lost_fraction - rebound(contact, run) * returned(contact) * share * run.unresolved;
   };
+  const auto corrected = [&](const Run& run) { return corrected_from(run, 0.0); };
   const Run& last = runs.back();
-  Term doubt = missing(last.cutoff * scale, own).doubt;
+  const double value = few ? corrected_from(last, share_of_few_modes_from) : corrected(last);
+  Term doubt = few ? doubt_of_few_modes(runs, scale, own) : missing(last.cutoff * scale, own).doubt;
   // At a half-space less is in doubt, as the body alone gives back; but its quadrature leaves something out. Both are
   // less on plates (docs/developer/numerics.md, section 14).
   const bool plate = contact.keeps_displacement;
   const double calm = plate ? calm_on_a_plate : 1.0;
   doubt.error = calm * rebound(contact, last) * std::max(least_returned, returned(contact)) * doubt.error;
-  doubt.error *= last.unresolved;
-  Bar bar{&Restitution::lost_fraction, corrected(last), {doubt, node_error_of_losses(contact, speed, last)}};
+  if (!few) doubt.error *= last.unresolved;
+  Bar bar{&Restitution::lost_fraction, value, {doubt, node_error_of_losses(contact, speed, last)}};
   bar.terms.push_back(lost_error_of_faces(contact, speed, last));
   if (contact.unbounded && last.remaining == 0.0) {  // a body that stays could have nothing more taken
     const double waves = plate ? waves_of_a_plate : waves_of_a_half_space;

@@ -29,6 +29,22 @@ struct Affected {
   int length;  ///< power of the unit of length in its unit
 };
 
+/// An error to which others are added: those of numbers, which have nothing to do with each other, by their squares.
+struct Sum {
+  double squares = 0.0, bounds = 0.0;
+
+  Sum() = default;
+  explicit Sum(double error) : squares(error * error) {}
+  void add(double change, bool is_bound) { is_bound ? bounds += std::abs(change) : squares += change * change; }
+  [[nodiscard]] double error() const { return std::sqrt(squares) + bounds; }
+};
+
+constexpr double nothing_certain = std::numeric_limits<double>::infinity();
+
+bool is_bound(const Contact& other) {
+  return other.first->known.is_bound || (other.second != nullptr && other.second->known.is_bound);
+}
+
 constexpr std::array affected{Affected{&Restitution::lost_fraction, &Impact::lost_fraction, 0},
                               Affected{&Restitution::contact_time, &Impact::contact_time, 1},
                               Affected{&Restitution::impulse_time, &Impact::impulse_time, 1},
@@ -78,22 +94,24 @@ void add_input_uncertainty(const RefinableContact& contact, double speed, double
   if (others.empty()) return;
   // Of few modes the energies above the cutoff, by which the ladder judges, may be smaller than what is gained or lost.
   result.lost_fraction.error += std::abs(finest.energy_error);
+  std::array<Sum, affected.size()> sums{};
+  for (std::size_t k = 0; k < affected.size(); ++k) sums[k] = Sum((result.*affected[k].estimate).error);
   for (const Contact& other : others) {
     const double length = other.first->scale.length / resolved.first->scale.length;
     try {
       const Impact changed = impact(other, speed, options_of(other, resolved, finest, options.poll));
-      for (const auto& [estimate, value, power] : affected) {
-        (result.*estimate).error += std::abs(changed.*value * std::pow(length, power) - finest.*value);
+      for (std::size_t k = 0; k < affected.size(); ++k) {
+        const auto& [estimate, value, power] = affected[k];
+        sums[k].add(changed.*value * std::pow(length, power) - finest.*value, is_bound(other));
       }
     } catch (const NotConverged&) {  // the body might be one that cannot be computed: nothing is certain
-      for (const auto& [estimate, value, power] : affected) {
-        (result.*estimate).error = std::numeric_limits<double>::infinity();
-      }
+      sums.fill(Sum(nothing_certain));
     }
   }
-  const double error = result.lost_fraction.error, squared = std::max(0.0, 1.0 - result.lost_fraction.value);
+  for (std::size_t k = 0; k < affected.size(); ++k) (result.*affected[k].estimate).error = sums[k].error();
+  const double error = result.lost_fraction.error, left = std::max(0.0, 1.0 - result.lost_fraction.value);
   result.restitution.error =
-      std::isinf(error) ? error : error / (std::sqrt(squared + error) + std::abs(result.restitution.value));
+      std::isinf(error) ? error : error / (std::sqrt(left + error) + std::abs(result.restitution.value));
 }
 
 namespace {
@@ -119,24 +137,44 @@ constexpr std::array doubtful{
 /// Rules that ended at one cutoff.
 using Group = std::vector<ObliqueRestitution*>;
 
+/// The errors of each rule of a group.
+using Sums = std::vector<std::array<Sum, doubtful.size()>>;
+
 void add_alternative(const Contact& other, const Contact& resolved, double speed, const ObliqueOptions& options,
-                     const Group& group) {
+                     const Group& group, Sums& sums) {
   const double longer = other.first->scale.length / resolved.first->scale.length;
   try {
     const SharedNormalImpact shared(other, speed,
                                     options_of(other, resolved, group.front()->finest.normal, options.poll));
-    for (ObliqueRestitution* each : group) {
-      Obliquity before = each->before;
+    for (std::size_t j = 0; j < group.size(); ++j) {
+      Obliquity before = group[j]->before;
       before.spin *= longer, before.second_spin *= longer;
       const ObliqueImpact changed = shared.with(before, options.poll);
-      for (const auto& [estimate, value, turns] : doubtful) {
-        const double unit = turns ? longer : 1.0;
-        (each->*estimate).error += std::abs(value(changed) / unit - value(each->finest));
+      for (std::size_t k = 0; k < doubtful.size(); ++k) {
+        const auto& [estimate, value, turns] = doubtful[k];
+        sums[j][k].add(value(changed) / (turns ? longer : 1.0) - value(group[j]->finest), is_bound(other));
       }
     }
   } catch (const NotConverged&) {  // the body might be one that cannot be computed: nothing is certain
-    for (ObliqueRestitution* each : group) {
-      for (const Doubtful& its : doubtful) (each->*its.estimate).error = std::numeric_limits<double>::infinity();
+    for (auto& each : sums) each.fill(Sum(nothing_certain));
+  }
+}
+
+void add_alternatives(const Contact& resolved, double speed, const ObliqueOptions& options, const Group& group) {
+  Sums sums(group.size());
+  for (std::size_t j = 0; j < group.size(); ++j) {
+    for (std::size_t k = 0; k < doubtful.size(); ++k) {
+      sums[j][k] = Sum((group[j]->*doubtful[k].estimate).error);
+    }
+  }
+  for (const Affects motion : {Affects::both, Affects::along}) {
+    for (const Contact& other : alternatives(resolved, motion)) {
+      add_alternative(other, resolved, speed, options, group, sums);
+    }
+  }
+  for (std::size_t j = 0; j < group.size(); ++j) {
+    for (std::size_t k = 0; k < doubtful.size(); ++k) {
+      (group[j]->*doubtful[k].estimate).error = sums[j][k].error();
     }
   }
 }
@@ -188,15 +226,10 @@ void add_oblique_input_uncertainty(const RefinableContact& contact, double speed
   }
   for (const Group& group : groups) {
     const Contact& resolved = contact.at(group.front()->finest.normal.cutoff, stretch, options.poll);
-    for (ObliqueRestitution* each : group) add_unknown(resolved, *each);
     const bool rough = std::any_of(group.begin(), group.end(),
                                    [](const ObliqueRestitution* each) { return each->before.friction > 0.0; });
-    if (!rough) continue;
-    for (const Affects motion : {Affects::both, Affects::along}) {
-      for (const Contact& other : alternatives(resolved, motion)) {
-        add_alternative(other, resolved, speed, options, group);
-      }
-    }
+    if (rough) add_alternatives(resolved, speed, options, group);
+    for (ObliqueRestitution* each : group) add_unknown(resolved, *each);
   }
   for (ObliqueRestitution& each : results) {
     if (each.sliding != 0.0) each.tangential_restitution.error = each.sliding_after.error / std::abs(each.sliding);

@@ -8,8 +8,8 @@
 namespace stoss {
 
 /// Adds to the errors of a result what is not known of bodies of which only a point is (Validity): the difference that
-/// each of their alternatives makes to the finest impact. Whether the result has converged is a matter of its runs
-/// alone.
+/// each of their alternatives makes to the finest impact, by their squares, and as they are where they are bounds.
+/// Whether the result has converged is a matter of its runs alone.
 /// @param stretch of the contact, as RefinableContact::at
 void add_input_uncertainty(const RefinableContact& contact, double speed, double stretch,
                            const RestitutionOptions& options, Restitution& result);

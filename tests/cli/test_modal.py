@@ -23,7 +23,87 @@ def test_sphere_of_a_mesh_is_the_sphere(stoss, against):
     of_modes, error = lost(stoss, f"--body @{FILES}/sphere.json --against {against} --speed 0.5")
     exact, its_error = lost(stoss, f"{SPHERE} --against {against} --speed 0.5")
     assert abs(of_modes - exact) <= error + its_error
-    assert error < 0.8 * of_modes
+    assert error < 0.4 * of_modes  # the tolerance
+
+
+@pytest.mark.numbers
+@pytest.mark.parametrize("quality", [1000, 100])
+def test_what_it_meets_has_the_modulus_of_its_frequency(stoss, quality):
+    """Its E is that at 1 kHz: in the unit of time of a body of a file as in that of a ball."""
+    half_space = f"--against half-space,young=7e10,poisson=0.22,density=2500,quality={quality} --speed 0.5"
+    of_modes, error = lost(stoss, f"--body @{FILES}/sphere.json {half_space}")
+    exact, its_error = lost(stoss, f"{SPHERE} {half_space}")
+    assert abs(of_modes - exact) <= error + its_error
+    assert error < 0.003 * of_modes
+
+
+OBLIQUE = "oblique --speed 0.5 --friction 0.3 --angle 5,20,45 --format json"
+
+
+@pytest.mark.numbers
+@pytest.mark.parametrize("against", ["wall", "half-space,material=glass", "same"])
+def test_sphere_of_a_mesh_rubs_as_the_sphere(stoss, against):
+    every = [json.loads(stoss.run(OBLIQUE, f"--body {each} --against {against}").stdout)["records"]
+             for each in (f"@{FILES}/sphere.json", SPHERE.removeprefix("--body "))]  # fmt: skip
+    for found, exact in zip(*every):
+        for name in ("restitution", "tangential_restitution", "sliding_after", "spin_after"):
+            assert abs(found[name] - exact[name]) <= found[f"{name}_error"] + exact[f"{name}_error"], name
+        assert found["tangential_restitution_error"] < 0.02
+
+
+@pytest.mark.numbers
+def test_ball_rubs_on_the_middle_of_a_beam(stoss):
+    """Its normal motion is that of the central impact, and a block gives back more."""
+    ball = "--body sphere --radius 0.005 --material 'bearing steel'"
+    beam = f"--against @{FILES}/beam_0.json"
+    rows = json.loads(stoss.run(OBLIQUE, ball, beam).stdout)["records"]
+    thick = json.loads(stoss.run(OBLIQUE, ball, "--against half-space,material='structural steel'").stdout)["records"]
+    central, = json.loads(stoss.run("restitution --speed 0.5 --tolerance 0.1 --format json", ball, beam).stdout)["records"]
+    for row, its in zip(rows, thick):
+        assert abs(row["restitution"] - central["restitution"]) <= row["restitution_error"] + central["restitution_error"]
+        assert row["restitution"] < 0.95 * its["restitution"]
+        assert row["tangential_restitution_error"] < 0.03
+        assert abs(row["tangential_restitution"]) <= 1
+
+
+@pytest.mark.parametrize("bodies", [
+    "--body @{0}/sphere.json --yield-strength 3e8", "--body @{0}/sphere.json --yield-strength 3e8 --against half-space,material=glass",
+    "--body @{0}/sphere.json --yield-strength 3e8 --against plate,material=glass,thickness=0.02",
+    "--body sphere --radius 0.01 --material 'structural steel' --against @{0}/sphere.json",
+])  # fmt: skip
+def test_predict_takes_bodies_of_files_as_balls(stoss, bodies):
+    """With yield, of which nearly all is lost, as struck and as partner."""
+    words = "predict --speed 0.01,0.5 --format json"
+    found = json.loads(stoss.run(words, bodies.format(FILES)).stdout)["records"]
+    same = bodies.replace("@{0}/sphere.json", "sphere --radius 0.01 --young 210e9 --poisson 0.3 --density 7850", 1)
+    if "--against @" in bodies:
+        same = bodies.replace("@{0}/sphere.json", "sphere,radius=0.01,young=210e9,poisson=0.3,density=7850")
+    exact = json.loads(stoss.run(words, same).stdout)["records"]
+    for one, other in zip(found, exact):
+        both = one["restitution_error"] + other["restitution_error"] + 0.1 * other["by_models"]
+        assert abs(one["restitution"] - other["restitution"]) <= both
+        assert one["by_models"] == pytest.approx(other["by_models"], rel=0.02, abs=1e-6)
+    assert found[-1]["yield"] > 0.1
+
+
+@pytest.mark.parametrize("name, change, said", [
+    ("young", 1e-9, "speed of sound"), ("density", 1e-3, "speed of sound"), ("young", 1e-6, "modes"),
+    ("mass", 1e6, "one system of units"), ("mass", 1e-9, "one system of units"),
+    ("compliance", 1e3, "one system of units"), ("frequency", 1e-3, "one system of units"), ("displacement", 1e3, "one system of units"),
+])  # fmt: skip
+@pytest.mark.parametrize("file", ["sphere", "beam_55", "bell"])
+def test_numbers_in_other_units_are_told_in_one_line(stoss, tmp_path, file, name, change, said):
+    body = json.loads((FILES / f"{file}.json").read_text())
+    if name in body:
+        body[name] *= change
+    else:
+        body["modes"][name] = [change * each for each in body["modes"][name]]
+        body["complete_to"] *= change if name == "frequency" else 1.0
+    path = tmp_path / "body.json"
+    path.write_text(json.dumps(body))
+    result = stoss.run(f"restitution --body sphere --radius 0.005 --material brass --against @{path} --speed 0.1")
+    assert (result.returncode, result.stdout, result.stderr.count("\n")) == (3, "", 1), result.stderr
+    assert said in result.stderr and "allowed" in result.stderr
 
 
 @pytest.mark.parametrize("command", ["restitution", "impact", "oblique", "predict", "table", "distribution", "bounce"])
@@ -39,7 +119,7 @@ def test_a_file_that_cannot_be_read_is_an_error_of_input_and_output(stoss, tmp_p
 def test_friction_needs_a_tangent(stoss, tmp_path):
     """Without data along the surface one line says so; with them the body rubs and turns."""
     rub = "oblique --speed 0.05 --tangential 0.1 --friction 0.05 --tolerance 0.05 --format json"
-    refused = stoss.run(rub, f"--body @{FILES}/sphere.json")
+    refused = stoss.run(rub, f"--body @{FILES}/hollow_sphere_mesh.json")
     assert refused.returncode == 3 and refused.stdout == "" and refused.stderr.count("\n") == 1
     assert "tangential data" in refused.stderr and "allowed" in refused.stderr
     body = json.loads((FILES / "sphere.json").read_text())
@@ -80,9 +160,9 @@ def test_a_ball_that_vibrates_meets_a_body_whose_curvatures_differ(stoss, file):
 
 @pytest.mark.parametrize("words", ["restitution --mode 0,2,energy=0.1", "distribution --spectrum 0,2,energy=0.1"])
 def test_what_is_known_at_a_point_does_not_vibrate_before(stoss, words):
-    result = stoss.run(words, f"--body @{FILES}/bell.json --speed 0.1 --against wall")
+    result = stoss.run(words, f"--body @{FILES}/bar.json --speed 0.1 --against wall")
     assert result.returncode == 3
-    assert result.stderr.startswith("stoss: error: vibration: got a mode of 'bell', allowed modes of bodies that are known")
+    assert result.stderr.startswith("stoss: error: vibration: got a mode of 'bar', allowed modes of bodies that are known")
 
 
 @pytest.mark.parametrize("words, said", [

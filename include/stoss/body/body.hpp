@@ -77,6 +77,10 @@ struct Validity {
   /// Velocity along the surface per impulse along the normal that its point may have in the end, 1/mass in its own
   /// units, from the modes and the turning that join both directions; a contact of a duration, R/c.
   std::function<double(double duration)> cross_mobility{};
+
+  /// Of an alternative: it differs by what none of the numbers tells, not by the error of one. Such changes add up, and
+  /// errors by their squares.
+  bool is_bound = false;
 };
 
 /// An elastic body by itself, with its modes up to a cutoff: all that a contact needs to know of it, in its own units

@@ -41,7 +41,31 @@ bool is_one_with_next(const ModalBody& its, std::size_t i) {
   return next.omega - next.omega_error <= one.omega + one.omega_error;
 }
 
-/// The share of all up to any mode counts: of modes close to each other one takes back what the other does.
+/// As if the surface were softer by a share, and its logarithm that of another curvature.
+void make_uneven(double poisson, const Unevenness& uneven, const ContactPoints& points, std::vector<double>& matrix) {
+  const double slow = sphere::softness_along(poisson) / std::numbers::pi * logarithm_share_along(poisson);
+  for (std::size_t i = 0; i < points.count; ++i) {
+    for (std::size_t j = 0; j < points.count; ++j) {
+      double& each = matrix[i * points.count + j];
+      each *= 1.0 + uneven.softness;
+      each -= slow * uneven.curvature * std::log(lateral_distance(points, std::max(i, j)));
+    }
+  }
+}
+
+/// What all twins have from the body, and none of what they do not ask.
+Body twin_of(const Body& body) {
+  Body twin = body;
+  twin.along = nullptr;
+  twin.outward = nullptr;
+  twin.known.alternatives = nullptr;
+  twin.known.alternatives_along = nullptr;
+  return twin;
+}
+
+}  // namespace
+
+// The share of all up to any mode counts: of modes close to each other one takes back what the other does.
 void require_apart(const ModalBody& its) {
   if (!its.tangent) {
     throw InvalidInput::out_of_range("friction", "'" + its.name + "' without tangential data",
@@ -67,32 +91,7 @@ void require_apart(const ModalBody& its) {
   }
 }
 
-/// As if the surface were softer by a share, and its logarithm that of another curvature.
-void make_uneven(double poisson, const Unevenness& uneven, const ContactPoints& points, std::vector<double>& matrix) {
-  const double slow = sphere::softness_along(poisson) / std::numbers::pi * logarithm_share_along(poisson);
-  for (std::size_t i = 0; i < points.count; ++i) {
-    for (std::size_t j = 0; j < points.count; ++j) {
-      double& each = matrix[i * points.count + j];
-      each *= 1.0 + uneven.softness;
-      each -= slow * uneven.curvature * std::log(lateral_distance(points, std::max(i, j)));
-    }
-  }
-}
-
-/// What all twins have from the body, and none of what they do not ask.
-Body twin_of(const Body& body) {
-  Body twin = body;
-  twin.along = nullptr;
-  twin.outward = nullptr;
-  twin.known.alternatives = nullptr;
-  twin.known.alternatives_along = nullptr;
-  return twin;
-}
-
-}  // namespace
-
 Body along(const Body& body, const ModalBody& its, const PointModes& modes, const Unevenness& uneven) {
-  require_apart(its);
   const PointSurroundings near{its.poisson, its.curvature == 0.0};
   Body twin = twin_of(body);
   twin.softness = sphere::softness_along(its.poisson);

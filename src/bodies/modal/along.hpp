@@ -9,11 +9,14 @@
 
 namespace stoss::bodies::modal {
 
+/// Refuses friction of a body whose modes or turning join both directions.
+/// @throws InvalidInput where it has no tangent, or one of them does by more than a share of 0.05
+void require_apart(const ModalBody& its);
+
 /// A body by its modes at a point against forces along t (Body::along): what moves it by ψ + χ_t r², and the static
 /// response along a sphere of its curvature, or a half-space, with its own constant c_t.
 /// @param body   along its normal
 /// @param uneven by which its surface is taken to be softer, 0 but of an alternative
-/// @throws InvalidInput where it has no tangent, or its modes or its turning join both directions
 [[nodiscard]] Body along(const Body& body, const ModalBody& its, const PointModes& modes, const Unevenness& uneven);
 
 /// The same body against forces alike all around the normal (Body::outward): its modes move all rings along the normal,

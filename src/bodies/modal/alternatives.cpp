@@ -29,48 +29,48 @@ bool any(const ModalBody& its, double PointMode::*value) {
 
 }  // namespace
 
-std::vector<ModalBody> alternatives(const ModalBody& its, double other) {
-  std::vector<ModalBody> all;
+Alternatives alternatives(const ModalBody& its, double other) {
+  Alternatives all;
   if (its.compliance_error > 0.0) {
-    all.push_back(its);
-    all.back().compliance += its.compliance_error;
+    all.errors.push_back(its);
+    all.errors.back().compliance += its.compliance_error;
   }
   if (any(its, &PointMode::omega_error)) {
-    all.push_back(with_modes(its, [](PointMode& mode) { mode.omega += mode.omega_error; }));
+    all.errors.push_back(with_modes(its, [](PointMode& mode) { mode.omega += mode.omega_error; }));
   }
   if (any(its, &PointMode::displacement_error)) {
-    all.push_back(with_modes(
+    all.errors.push_back(with_modes(
         its, [](PointMode& mode) { mode.displacement += std::copysign(mode.displacement_error, mode.displacement); }));
   }
   if (!its.has_bends) {  // as of Rayleigh waves of their frequency
     const double bend = bend_of_waves(its);
-    all.push_back(
+    all.bounds.push_back(
         with_modes(its, [bend](PointMode& mode) { mode.bend = bend * mode.displacement * mode.omega * mode.omega; }));
   }
-  if (its.curvature_difference > 0.0) {
-    // Of Hertz' ellipses up to 4 : 1 the curvature counts that is A B (A + B)/2, cubed, with the relative ones A, B.
-    all.push_back(its);
-    const double mean = its.curvature + other / own_length(its), half = 0.5 * its.curvature_difference;
-    all.back().curvature -= mean - std::cbrt((mean * mean - half * half) * mean);
-    all.back().curvature_difference = 0.0;  // round, or its own ratio may be refused
+  if (its.curvature_difference > 0.0 && its.has_bends) {
+    // Of an ellipse as stiff as a circle the mean of r² is greater, and that along its long side at most by 1 + 2t, as
+    // modes may bend along it alone (t = |A − B|/(A + B) up to 0.6).
+    const double mean = its.curvature + other / own_length(its);
+    const double longer = 1.0 + its.curvature_difference / mean;
+    all.bounds.push_back(with_modes(its, [longer](PointMode& mode) { mode.bend *= longer; }));
   }
   return all;
 }
 
-std::vector<ModalBody> alternatives_along(const ModalBody& its) {
-  std::vector<ModalBody> all;
+Alternatives alternatives_along(const ModalBody& its) {
+  Alternatives all;
   if (!its.tangent) return all;
   if (its.tangent->compliance_error > 0.0) {
-    all.push_back(its);
-    all.back().tangent->compliance += its.tangent->compliance_error;
+    all.errors.push_back(its);
+    all.errors.back().tangent->compliance += its.tangent->compliance_error;
   }
   if (any(its, &PointMode::tangential_error)) {
-    all.push_back(with_modes(
+    all.errors.push_back(with_modes(
         its, [](PointMode& mode) { mode.tangential += std::copysign(mode.tangential_error, mode.tangential); }));
   }
   if (!its.tangent->has_bends && any(its, &PointMode::tangential)) {
     const double bend = bend_of_waves(its);
-    all.push_back(with_modes(
+    all.bounds.push_back(with_modes(
         its, [bend](PointMode& mode) { mode.tangential_bend = bend * mode.tangential * mode.omega * mode.omega; }));
   }
   return all;

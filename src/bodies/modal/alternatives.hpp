@@ -10,12 +10,17 @@ namespace stoss::bodies::modal {
 /// lose what those of a sphere lose (docs/theory/any_body.md).
 inline constexpr double reach = 1.1, reach_of_pistons = 0.6;
 
-/// The body with one kind of its numbers off by their errors, if they have any.
+/// What a body might be instead.
+struct Alternatives {
+  std::vector<ModalBody> errors;  ///< with one kind of its numbers off by their errors, if they have any
+  std::vector<ModalBody> bounds;  ///< by what none of its numbers tells
+};
+
 /// @param other curvature of what it meets, in units of its own_length
-[[nodiscard]] std::vector<ModalBody> alternatives(const ModalBody& its, double other);
+[[nodiscard]] Alternatives alternatives(const ModalBody& its, double other);
 
 /// The same of what only moves it along its surface: empty without a tangent.
-[[nodiscard]] std::vector<ModalBody> alternatives_along(const ModalBody& its);
+[[nodiscard]] Alternatives alternatives_along(const ModalBody& its);
 
 /// By what a surface of unequal curvatures may answer forces along t otherwise than all around on average.
 struct Unevenness {

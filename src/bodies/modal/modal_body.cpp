@@ -21,6 +21,7 @@ using bodies::modal::Direction;
 using bodies::modal::PointModes;
 using bodies::modal::PointSurroundings;
 using bodies::modal::Unevenness;
+using bodies::modal::wave_speed;
 
 /// Chosen as for spheres (docs/developer/numerics.md, section 5).
 constexpr Sampling sampling{.points = 40.0, .cutoff = 32.0, .power = 0.7, .along_edge = 0.0, .fewest = 32};
@@ -28,15 +29,22 @@ constexpr Sampling sampling{.points = 40.0, .cutoff = 32.0, .power = 0.7, .along
 /// Duration for which the quadrature of the half-space that gives V is made, own_length/c.
 constexpr double local_duration = 6.0;
 
-double wave_speed(const ModalBody& body) { return std::sqrt(body.young / body.density); }
+/// What a number of a body is worth: as it is given, or off by an error, of which nothing is refused.
+enum class Numbers { given, off };
 
-Body made(const ModalBody& its, double cutoff, const Unevenness& uneven = {});
+Body made(const ModalBody& its, double cutoff, Numbers numbers, const Unevenness& uneven = {});
 
 /// The bodies with these numbers at the same cutoff, which is in units of their length.
-std::vector<Body> made_all(const std::vector<ModalBody>& all, const ModalBody& its, double cutoff) {
+std::vector<Body> made_all(const modal::Alternatives& all, const ModalBody& its, double cutoff) {
   std::vector<Body> bodies;
-  bodies.reserve(all.size());
-  for (const ModalBody& each : all) bodies.push_back(made(each, cutoff * own_length(each) / own_length(its)));
+  const auto add = [&](const std::vector<ModalBody>& each, bool bound) {
+    for (const ModalBody& other : each) {
+      bodies.push_back(made(other, cutoff * own_length(other) / own_length(its), Numbers::off));
+      bodies.back().known.is_bound = bound;
+    }
+  };
+  add(all.errors, false);
+  add(all.bounds, true);
   return bodies;
 }
 
@@ -44,6 +52,7 @@ std::vector<Body> made_all(const std::vector<ModalBody>& all, const ModalBody& i
 /// mean curvature, and less by half of it a paraboloid. A point tells none of them from the others, and in (Ha)² they
 /// differ by nothing else (docs/theory/any_body.md).
 Body flatter_sided(Body body) {
+  body.known.is_bound = true;
   body.surface = [round = body.surface](const ContactPoints& points) {
     constexpr double of_a_cylinder = 0.25;
     Surface surface = round(points);
@@ -64,13 +73,16 @@ Validity knowledge_of(const ModalBody& its, double cutoff, const PointModes& mod
       its.tangent && its.tangent->has_bends ? known.max_cutoff_times_width : modal::reach_of_pistons;
   known.alternatives = [its, cutoff](double other) {
     std::vector<Body> all = made_all(modal::alternatives(its, other), its, cutoff);
-    if (its.curvature > 0.0) all.push_back(flatter_sided(made(its, cutoff)));
+    if (its.curvature > 0.0) all.push_back(flatter_sided(made(its, cutoff, Numbers::off)));
     return all;
   };
   known.alternatives_along = [its, cutoff](double other) {
     std::vector<Body> all = made_all(modal::alternatives_along(its), its, cutoff);
     const Unevenness uneven = modal::unevenness(its, other);
-    if (its.tangent && uneven.curvature > 0.0) all.push_back(made(its, cutoff, uneven));
+    if (its.tangent && uneven.curvature > 0.0) {
+      all.push_back(made(its, cutoff, Numbers::off, uneven));
+      all.back().known.is_bound = true;
+    }
     return all;
   };
   known.cross_mobility = modal::cross_mobility(its, modes);
@@ -87,7 +99,7 @@ void set_rigid_motion(const ModalBody& its, Body& body) {
   body.extent = its.tangent->arm / length;
 }
 
-Body made(const ModalBody& its, double cutoff, const Unevenness& uneven) {
+Body made(const ModalBody& its, double cutoff, Numbers numbers, const Unevenness& uneven) {
   const double length = own_length(its);
   const PointModes modes = modal::point_modes(its, kept_cutoff(cutoff, its.loss_time * wave_speed(its) / length));
   const PointSurroundings near{its.poisson, its.curvature == 0.0};
@@ -117,7 +129,8 @@ Body made(const ModalBody& its, double cutoff, const Unevenness& uneven) {
   body.residual_second_moment = [poisson = its.poisson, cutoff](const ContactPoints& points, const Poll& poll) {
     return stoss::half_space(HalfSpace{poisson}, cutoff, local_duration, poll).residual_second_moment(points, poll);
   };
-  body.along = [like = body, its, modes, uneven](const Poll&) {
+  body.along = [like = body, its, modes, uneven, numbers](const Poll&) {
+    if (numbers == Numbers::given) modal::require_apart(its);
     return std::vector<Body>{modal::along(like, its, modes, uneven)};
   };
   body.outward = [like = body, its, modes](const Poll&) { return modal::outward(like, its, modes); };
@@ -173,7 +186,7 @@ Scales scales(const ModalBody& body) {
 BodyMaker modal_body(ModalBody body) {
   modal::require_body(body);
   const auto its = std::make_shared<const ModalBody>(std::move(body));
-  return [its](double cutoff, const Poll&) { return made(*its, cutoff); };
+  return [its](double cutoff, const Poll&) { return made(*its, cutoff, Numbers::given); };
 }
 
 }  // namespace stoss

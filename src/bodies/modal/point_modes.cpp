@@ -2,10 +2,8 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <numbers>
-#include <string>
 #include <utility>
 
 #include "bodies/half_space/lamb_kernel.hpp"
@@ -15,9 +13,7 @@
 #include "bodies/sphere/degree_sums.hpp"
 #include "bodies/sphere/surface_points.hpp"
 #include "bodies/surface/residual.hpp"
-#include "check.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
-#include "stoss/errors.hpp"
 
 namespace stoss::bodies::modal {
 namespace {
@@ -68,68 +64,7 @@ double sphere_constant_along(double poisson) {
   return summed(-plain, left) + slow * std::numbers::ln2 + turning;
 }
 
-namespace {
-
-constexpr double most = std::numeric_limits<double>::max();
-constexpr Range positive{0.0, most, false, true, "a positive finite number"};
-constexpr Range not_negative{0.0, most, true, true, "0 or a positive finite number"};
-constexpr Range finite{-most, most, true, true, "a finite number"};
-
 double wave_speed(const ModalBody& body) { return std::sqrt(body.young / body.density); }
-
-/// Local law of Weyl: Σ φ² over the modes up to ω of a large body is that of a half-space, (2/3π) C ω³/(ρ c_s³).
-double expected_sum(const ModalBody& body, double omega) {
-  const double shear = std::sqrt(0.5 * body.young / (body.density * (1.0 + body.poisson)));
-  const double radiated = half_space::radiation_coefficient(half_space::lamb_kernel(body.poisson));
-  return 2.0 / (3.0 * std::numbers::pi) * radiated / body.density * std::pow(omega / shear, 3.0);
-}
-
-void require_modes(const ModalBody& body) {
-  double last = 0.0, sum = 0.0;
-  for (std::size_t i = 0; i < body.modes.size(); ++i) {
-    const PointMode& mode = body.modes[i];
-    const std::string name = "mode " + std::to_string(i + 1) + " ";
-    require(name + "frequency", mode.omega, positive, "of an elastic mode: rigid motion is not among them");
-    require(name + "displacement", mode.displacement, finite, "along the normal at the point");
-    require(name + "bend", mode.bend, finite, "of the displacement around the point");
-    require(name + "frequency error", mode.omega_error, not_negative, "of the mode");
-    require(name + "displacement error", mode.displacement_error, not_negative, "of the mode");
-    require(name + "tangential displacement", mode.tangential, finite, "along the surface at the point");
-    require(name + "tangential bend", mode.tangential_bend, finite, "of the displacement along the surface");
-    require(name + "tangential displacement error", mode.tangential_error, not_negative, "of the mode");
-    if (mode.omega < last) {
-      throw InvalidInput::out_of_range(name + "frequency", shown(mode.omega) + " after " + shown(last),
-                                       "modes in rising order");
-    }
-    last = mode.omega;
-    if (mode.omega <= body.complete_to) sum += mode.displacement * mode.displacement;
-  }
-  // Below some ten modes the law says nothing, and where bodies are slender there are fewer than in a large one.
-  constexpr double share = 0.1, enough = 30.0;
-  const double expected = expected_sum(body, body.complete_to);
-  if (expected * body.mass > enough && sum < share * expected) {
-    throw InvalidInput::out_of_range(
-        "modes",
-        std::to_string(body.modes.size()) + " with " + rounded(sum) + " as the sum of their squared displacements",
-        "about " + rounded(expected) + " up to complete_to",
-        "modes are missing, or are not normalised to unit modal mass");
-  }
-}
-
-void require_tangent(const PointTangent& its) {
-  require("tangential mass", its.mass, positive, "of the body along its surface");
-  require("tangential inertia", its.inertia, not_negative, "of the body as friction turns it; 0: it does not turn");
-  require("tangential arm", its.arm, not_negative, "from the centre of mass to the point; 0: it does not turn");
-  if ((its.inertia > 0.0) != (its.arm > 0.0)) {
-    throw InvalidInput::out_of_range("tangential arm", shown(its.arm) + " with inertia " + shown(its.inertia),
-                                     "both above 0, or both 0", "it does not turn");
-  }
-  require("tangential cross", its.cross, finite, "by which the normal force turns the point along the surface");
-  require("tangential compliance", its.compliance, finite, "c_t at the point");
-  require("tangential compliance_error", its.compliance_error, not_negative, "of c_t");
-}
-
-}  // namespace
 
 PointModes point_modes(const ModalBody& body, double cutoff) {
   const double length = own_length(body), frequency = wave_speed(body) / length;
@@ -145,22 +80,6 @@ PointModes point_modes(const ModalBody& body, double cutoff) {
                         bend * mode.tangential_bend});
   }
   return its;
-}
-
-void require_body(const ModalBody& body) {
-  require("mass", body.mass, positive, "of the body, as its point feels it");
-  require("poisson", body.poisson, {-0.95, 0.4999, true, true, "-0.95 to 0.4999"}, "Poisson's ratio at the point");
-  require("young", body.young, positive, "Young's modulus at the point");
-  require("density", body.density, positive, "at the point");
-  require("curvature", body.curvature, not_negative, "mean curvature at the point; a hollow one is not computed");
-  require("curvature_difference", body.curvature_difference,
-          {0.0, 2.0 * body.curvature, true, true, "0 to twice the mean curvature"}, "of the principal curvatures");
-  require("compliance", body.compliance, finite, "c0 at the point");
-  require("compliance_error", body.compliance_error, not_negative, "of c0");
-  require("complete_to", body.complete_to, positive, "highest frequency up to which all modes are there");
-  require_loss_time(body.loss_time * wave_speed(body) / own_length(body));
-  require_modes(body);
-  if (body.tangent) require_tangent(*body.tangent);
 }
 
 namespace {

@@ -44,6 +44,9 @@ struct PointModes {
 /// Those up to a cutoff in these units.
 [[nodiscard]] PointModes point_modes(const ModalBody& body, double cutoff);
 
+/// c = √(E/ρ).
+[[nodiscard]] double wave_speed(const ModalBody& body);
+
 /// Throws InvalidInput as `modal_body`.
 void require_body(const ModalBody& body);
 

@@ -41,6 +41,35 @@ TEST(ModalBody, RefusesWhatIsNoBody) {
   });
 }
 
+TEST(ModalBody, RefusesNumbersOfOtherUnits) {
+  const auto refused = [](const std::string& name, const auto& change) {
+    ModalBody body = test::modal_sphere(0.3, 12.0);
+    change(body);
+    test::expect_refusal([&] { (void)modal_body(body); }, {name, "units"});
+  };
+  refused("mass", [](ModalBody& body) { body.mass *= 1e3; });  // g for kg
+  refused("compliance", [](ModalBody& body) { body.compliance *= 1e3; });  // mm/N
+  refused("compliance", [](ModalBody& body) {
+    for (PointMode& mode : body.modes) mode.displacement *= 30.0;
+  });
+  // Any size in any system of units is as good.
+  for (const double unit : {1e-3, 1e3, 1e6}) {
+    EXPECT_NO_THROW((void)modal_body(in_units(test::modal_sphere(0.3, 12.0), unit, 1e-3 * unit, 1e6 / unit)));
+  }
+}
+
+// What they might be by the errors of their displacements is not refused, though it moves the point both ways.
+TEST(ModalBody, IsNotRefusedFrictionForTheErrorsOfItsModes) {
+  ModalBody body = test::modal_sphere_along(0.3, 12.0);
+  for (PointMode& mode : body.modes) {
+    if (mode.displacement == 0.0) mode.displacement_error = 1.0;
+  }
+  const auto rubs = [&] {
+    return oblique_restitution(RefinableContact(modal_body(body)), 1e-3, {3e-4, 0.0, 0.0, 0.3});
+  };
+  EXPECT_NO_THROW((void)rubs());
+}
+
 TEST(ModalBody, RefusesContactsThatAreNotSmallAndRound) {
   ModalBody plane = test::modal_sphere(0.3, 12.0);
   plane.curvature = 0.0;

@@ -66,7 +66,8 @@ TEST(ModalTangent, CarriesTheErrorsOfItsNumbers) {
   const auto expect_carried = [&](const auto& uncertain, const auto& changed) {
     const Estimate stated = sliding_with(uncertain), other = sliding_with(changed);
     EXPECT_EQ(stated.value, exact.value);
-    const double change = std::abs(other.value - exact.value), more = stated.error - exact.error;
+    const double change = std::abs(other.value - exact.value);
+    const double more = std::sqrt(stated.error * stated.error - exact.error * exact.error);
     EXPECT_GT(change, 1e-10);
     EXPECT_GT(more, 0.4 * change);
     EXPECT_LT(more, 3.0 * change);
@@ -86,7 +87,7 @@ TEST(ModalTangent, CarriesTheErrorsOfItsNumbers) {
 TEST(ModalTangent, OfUnequalCurvaturesHasAnErrorForThem) {
   const Estimate round = sliding_with([](ModalBody&) {});
   const Estimate oval = sliding_with([](ModalBody& body) { body.curvature_difference = 0.6; });
-  EXPECT_EQ(oval.value, round.value);
+  EXPECT_NE(oval.value, round.value);  // that of a contact as soft as the ellipse
   EXPECT_GT(oval.error, 2.0 * round.error);
 }
 
