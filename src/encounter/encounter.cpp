@@ -114,6 +114,7 @@ std::optional<Scales> si_scales(const Encounter& encounter) {
   }
   if (first.modal) return scales(*first.modal);
   return with_given_loss_time(first, [&] {
+    if (first.kind == "hollow-sphere") return scales(std::get<HollowSphere>(kind(first.kind).solid(all)));
     return is_rod(encounter) ? scales(std::get<Rod>(kind("rod").solid(all)))
                              : scales(std::get<Sphere>(kind("sphere").solid(all)));
   });

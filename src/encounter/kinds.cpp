@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "check.hpp"
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/encounter/roughness.hpp"
 #include "stoss/encounter/visible.hpp"
@@ -29,6 +30,10 @@ constexpr Parameter density{"density", "kg/m^3", 1.0, 0.0, infinity, false, true
 constexpr Parameter radius{"radius", "m", 1.0, 0.0, infinity, false, false, "radius"};
 constexpr Parameter length{"length", "m", 1.0, 0.0, infinity, false, false, "length"};
 constexpr Parameter thickness{"thickness", "m", {}, 0.0, infinity, false, false, "thickness, from face to face"};
+constexpr Parameter inner{"inner", "",   0.0,   0.0,
+                          0.99,    true, false, "radius of the hole over that of the sphere, 0 to 0.99"};
+constexpr Parameter shell_thickness{
+    "thickness", "m", 0.0, 0.0, infinity, true, false, "thickness of the shell, in place of the radius of the hole"};
 constexpr Parameter area{"area", "m^2", 1.0, 0.0, infinity, false, false, "area of the cross-section"};
 constexpr Parameter loss_time{
     "loss_time",
@@ -106,6 +111,22 @@ void add_layer(Solid& plate, const Values& of) {
   std::get<Plate>(plate).below.push_back({of.at("thickness"), of.at("poisson"), of.at("young"), of.at("density")});
 }
 
+Solid hollow_of(const Values& of) {
+  const double radius = of.at("radius"), thickness = of.at("thickness") / radius;
+  double inner = of.at("inner");
+  if (inner == 0.0 && thickness == 0.0) {
+    throw InvalidInput::missing("inner", "a number", "radius of the hole over that of the sphere; or a thickness");
+  }
+  if (inner != 0.0 && thickness != 0.0) {
+    throw InvalidInput::conflict("thickness", "the radius of the hole says it already", "leave out one of both");
+  }
+  if (thickness != 0.0) {
+    require("thickness", thickness, {0.01, 1.0, true, true, "0.01 to 1"}, "of the shell, in radii of the sphere");
+    inner = 1.0 - thickness;
+  }
+  return HollowSphere{of.at("poisson"), inner, radius, of.at("young"), of.at("density"), of.at("loss_time")};
+}
+
 Solid rod_of(const Values& of) {
   return Rod{of.at("length"), of.at("young"), of.at("density"), of.at("area"), of.at("loss_time")};
 }
@@ -129,6 +150,10 @@ std::vector<Kind> make_kinds() {
   sphere.can_yield = true, sphere.has_plane = false, sphere.contour = Contour::ball;
   sphere.own = UnitSystem::sphere, sphere.si = UnitSystem::sphere_si;
   sphere.parameters.front() = solid_poisson_number, sphere.solid = round<Sphere>;
+  Kind hollow = sphere;
+  hollow.name = "hollow-sphere", hollow.plural = "hollow spheres", hollow.help = "a shell between concentric spheres";
+  hollow.can_be_rigid = false, hollow.solid = hollow_of;
+  hollow.parameters = {solid_poisson_number, radius, inner, shell_thickness, young, density, loss_time, quality};
   Kind rod = sphere;
   rod.name = "rod", rod.plural = "rods", rod.help = "a thin elastic rod that meets with one end";
   rod.can_be_rigid = rod.can_yield = false, rod.contour = Contour::flat;
@@ -163,10 +188,10 @@ std::vector<Kind> make_kinds() {
   Kind wall = half_space;
   wall.name = "wall", wall.plural = "walls", wall.help = "a rigid wall";
   wall.wall = true, wall.can_yield = false, wall.parameters = {roughness, u0}, wall.solid = {};
-  for (Kind* each : {&disk, &sphere, &rod, &modal, &half_space, &half_plane, &plate, &strip}) {
+  for (Kind* each : {&disk, &sphere, &hollow, &rod, &modal, &half_space, &half_plane, &plate, &strip}) {
     each->parameters.insert(each->parameters.end(), {roughness, u0, coat, coat_young, coat_poisson, coat_quality});
   }
-  for (Kind* each : {&sphere, &modal, &half_space, &plate})
+  for (Kind* each : {&sphere, &hollow, &modal, &half_space, &plate})
     each->parameters.insert(each->parameters.end(), {yield_strength, yield_hardening, yield_rate});
   Kind same = wall;
   same.name = "same", same.plural = "equal bodies", same.help = "a second body, equal to the first";
@@ -175,7 +200,7 @@ std::vector<Kind> make_kinds() {
   exponential.name = "exponential", exponential.plural = "exponential walls";
   exponential.help = "a rigid wall with elastic asperities of the length 1/alpha: the paper's soft wall";
   exponential.parameters = {hardness, strength};
-  return {wall, same, disk, sphere, rod, half_space, half_plane, plate, strip, modal, exponential};
+  return {wall, same, disk, sphere, hollow, rod, half_space, half_plane, plate, strip, modal, exponential};
 }
 
 }  // namespace

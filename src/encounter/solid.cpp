@@ -12,6 +12,7 @@ struct Make {
   BodyMaker operator()(const Plate& value) const { return plate(value); }
   BodyMaker operator()(const ModalBody& value) const { return modal_body(value); }
   BodyMaker operator()(const Strip& value) const { return strip(value); }
+  BodyMaker operator()(const HollowSphere& value) const { return hollow_sphere(value); }
 };
 
 }  // namespace

@@ -62,6 +62,11 @@ inline constexpr std::size_t most_layers = 20;
 /// Whether a parameter is not of a layer but of all of them together.
 [[nodiscard]] inline bool is_of_whole(std::string_view name) { return is_loss(name) || is_of_face(name); }
 
+/// Whether a parameter is a pure number that says what shape something has.
+[[nodiscard]] inline bool is_shape(const Parameter& its) {
+  return its.unit.empty() && !its.of_material && !is_of_whole(its.name);
+}
+
 /// All kinds, in the order in which they are named.
 [[nodiscard]] const std::vector<Kind>& kinds();
 
