@@ -18,8 +18,7 @@ namespace {
 std::vector<std::string> sizes_of(const Kind& its) {
   std::vector<std::string> names;
   for (const Parameter& each : its.parameters) {
-    const bool needed = each.default_value != 0.0;
-    if (needed && !each.of_material && !is_of_whole(each.name)) names.emplace_back(each.name);
+    if (!each.of_material && !is_of_whole(each.name) && !is_shape(each)) names.emplace_back(each.name);
   }
   return names;
 }
@@ -60,7 +59,7 @@ void BodyOptions::add_kind_to(CLI::App& command, const std::vector<std::string>&
     for (const Parameter& each : kind(name).parameters) {
       if (is_shape(each))
         add(command, "--" + std::string(each.name), numbers_[std::string(each.name)],
-            "Of a " + name + ": " + std::string(each.help), "NUMBER", "Body");
+            fmt::format("Of a {}: {}, {} to {}", name, each.help, each.low, each.high), "NUMBER", "Body");
     }
   }
   if (!files) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "check.hpp"
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/encounter/roughness.hpp"
 #include "stoss/encounter/visible.hpp"
@@ -30,10 +29,7 @@ constexpr Parameter density{"density", "kg/m^3", 1.0, 0.0, infinity, false, true
 constexpr Parameter radius{"radius", "m", 1.0, 0.0, infinity, false, false, "radius"};
 constexpr Parameter length{"length", "m", 1.0, 0.0, infinity, false, false, "length"};
 constexpr Parameter thickness{"thickness", "m", {}, 0.0, infinity, false, false, "thickness, from face to face"};
-constexpr Parameter inner{"inner", "",   0.0,   0.0,
-                          0.99,    true, false, "radius of the hole over that of the sphere, 0 to 0.99"};
-constexpr Parameter shell_thickness{
-    "thickness", "m", 0.0, 0.0, infinity, true, false, "thickness of the shell, in place of the radius of the hole"};
+constexpr Parameter inner{"inner", "", {}, 0.0, 0.99, true, false, "radius of its hole over that of the sphere"};
 constexpr Parameter area{"area", "m^2", 1.0, 0.0, infinity, false, false, "area of the cross-section"};
 constexpr Parameter loss_time{
     "loss_time",
@@ -112,19 +108,8 @@ void add_layer(Solid& plate, const Values& of) {
 }
 
 Solid hollow_of(const Values& of) {
-  const double radius = of.at("radius"), thickness = of.at("thickness") / radius;
-  double inner = of.at("inner");
-  if (inner == 0.0 && thickness == 0.0) {
-    throw InvalidInput::missing("inner", "a number", "radius of the hole over that of the sphere; or a thickness");
-  }
-  if (inner != 0.0 && thickness != 0.0) {
-    throw InvalidInput::conflict("thickness", "the radius of the hole says it already", "leave out one of both");
-  }
-  if (thickness != 0.0) {
-    require("thickness", thickness, {0.01, 1.0, true, true, "0.01 to 1"}, "of the shell, in radii of the sphere");
-    inner = 1.0 - thickness;
-  }
-  return HollowSphere{of.at("poisson"), inner, radius, of.at("young"), of.at("density"), of.at("loss_time")};
+  return HollowSphere{of.at("poisson"), of.at("inner"),   of.at("radius"),
+                      of.at("young"),   of.at("density"), of.at("loss_time")};
 }
 
 Solid rod_of(const Values& of) {
@@ -153,7 +138,7 @@ std::vector<Kind> make_kinds() {
   Kind hollow = sphere;
   hollow.name = "hollow-sphere", hollow.plural = "hollow spheres", hollow.help = "a shell between concentric spheres";
   hollow.can_be_rigid = false, hollow.solid = hollow_of;
-  hollow.parameters = {solid_poisson_number, radius, inner, shell_thickness, young, density, loss_time, quality};
+  hollow.parameters = {solid_poisson_number, radius, inner, young, density, loss_time, quality};
   Kind rod = sphere;
   rod.name = "rod", rod.plural = "rods", rod.help = "a thin elastic rod that meets with one end";
   rod.can_be_rigid = rod.can_yield = false, rod.contour = Contour::flat;

@@ -101,7 +101,7 @@ Values values_at_frequency(const Participant& of, std::optional<double> poisson,
       all[name] = given_or(of, name, 0.0);
     } else if (const auto found = of.values.find(name); found != of.values.end()) {
       all[name] = found->second;
-    } else if (of.material && each.default_value != 0.0) {  // one of 0: there is none
+    } else if (of.material && !is_shape(each)) {
       throw InvalidInput::missing(name, "", "a material needs it too, in " + std::string(each.unit));
     } else if (name == "poisson" && poisson) {
       all[name] = *poisson;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "encounter/participant.hpp"
+#include "encounter/shells.hpp"
 #include "encounter/yielding.hpp"
 #include "stoss/encounter/encounter.hpp"
 #include "stoss/encounter/kinds.hpp"
@@ -23,7 +24,7 @@ std::string weaker_of(const Encounter& encounter) {
   const std::string& met = encounter.against.kind;
   if (strength_of(encounter.first).value_or(unlimited) <= strength_of(encounter.against).value_or(unlimited))
     return "ball";
-  return met == "sphere" ? "other ball" : met == "half-space" ? "block" : met;
+  return met == "sphere" || met == "hollow-sphere" ? "other ball" : met == "half-space" ? "block" : met;
 }
 
 std::string rounded_to(int digits, double number) {
@@ -48,6 +49,11 @@ std::optional<double> strength_of(const Participant& of) {
 std::optional<double> yield_speed(const Encounter& encounter) {
   const Participant& first = encounter.first;
   if (!first.material || !kind(first.kind).can_yield) return std::nullopt;
+  if (has_shell(encounter)) {
+    return kind(encounter.against.kind).wall || kind(encounter.against.kind).can_yield
+               ? yield_speed_with_shells(encounter)
+               : std::nullopt;
+  }
   const double radius = given_or(first, "radius", unlimited);
   Material material = *first.material;
   material.yield_strength = strength_of(first);
@@ -106,7 +112,8 @@ std::string yield_warning(const Encounter& encounter, double speed, const std::s
 }
 
 std::vector<std::string> material_warnings(const Encounter& encounter, double fastest) {
-  std::vector<std::string> all = sound_warnings(encounter);
+  std::vector<std::string> all = shell_warnings(encounter, fastest);
+  for (std::string& line : sound_warnings(encounter)) all.push_back(std::move(line));
   if (std::string line = yield_warning(encounter, fastest); !line.empty()) all.insert(all.begin(), std::move(line));
   return all;
 }

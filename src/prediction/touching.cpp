@@ -9,6 +9,7 @@
 
 #include "check.hpp"
 #include "encounter/participant.hpp"
+#include "encounter/shells.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/quasistatic/adhesion.hpp"
 #include "stoss/quasistatic/yield.hpp"
@@ -29,7 +30,7 @@ Side side_of(const Participant& of, std::optional<double> frequency) {
   const Material& material = *of.material;
   const double radius = given_or(of, "radius", std::numeric_limits<double>::infinity());
   side.curvature = 1.0 / radius;
-  side.inverse_mass = 3.0 / (4.0 * pi * material.density) * std::pow(side.curvature, 3);
+  side.inverse_mass = 3.0 / (4.0 * pi * material.density) * std::pow(side.curvature, 3) / share_of_mass(of);
   side.surface_energy = material.surface_energy;
   side.softness = softness_of(of) / stiffer(losses_of(of), frequency.value_or(losses_of(of).frequency));
   side.yield_strength = strength_of(of);
@@ -112,13 +113,14 @@ Touching touching(const Encounter& encounter, std::optional<double> work_of_adhe
   validate(encounter);
   const Participant& ball = encounter.first;
   const Participant& met = encounter.against;
-  if (ball.kind != "sphere") {
-    throw InvalidInput::out_of_range("body", "a " + ball.kind, "a sphere", "yield and adhesion are models of balls");
+  if (ball.kind != "sphere" && ball.kind != "hollow-sphere") {
+    throw InvalidInput::out_of_range("body", "a " + ball.kind, "a sphere or a hollow-sphere",
+                                     "yield and adhesion are models of balls");
   }
   if (!ball.material)
     throw InvalidInput::missing("material", "", "the ball needs one, and so does what it meets, in SI");
   if (met.kind == "exponential" || met.modal) {
-    throw InvalidInput::out_of_range("against", met.kind, "wall, same, sphere, half-space or plate");
+    throw InvalidInput::out_of_range("against", met.kind, "wall, same, sphere, hollow-sphere, half-space or plate");
   }
   const Side one = side_of(ball, frequency);
   Side other;
@@ -130,7 +132,7 @@ Touching touching(const Encounter& encounter, std::optional<double> work_of_adhe
   made.mass = 1.0 / (one.inverse_mass + other.inverse_mass);
   if (const auto strength = weaker(one.yield_strength, other.yield_strength)) {
     made.yield_strength = strength;
-    made.yield_speed = quasistatic::yield_speed(made.pair, made.mass, *strength);
+    made.yield_speed = yield_speed_with_shells(encounter, made.pair, made.mass, *strength);
   }
   made.work_of_adhesion = work_of_adhesion.value_or(work_between(one, other));
   require("adhesion", made.work_of_adhesion, ranges::adhesion, "work of adhesion in J/m^2");

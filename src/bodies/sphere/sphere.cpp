@@ -75,6 +75,7 @@ Body made(const Sphere& sphere, double cutoff, const Kept& kept, const Poll& pol
   body.scale = {sphere.radius, bodies::wave_speed(sphere),
                 body.mass * sphere.density * sphere.radius * sphere.radius * sphere.radius};
   body.extent = 1.0;
+  body.hole = inner;
   body.softness = 1.0 - poisson * poisson;
   body.inertia = 0.4 * mass * share_of_inertia(inner);
   body.loss_time = loss_time;
