@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "check.hpp"
 #include "stoss/quasistatic/yield.hpp"
@@ -48,6 +49,17 @@ double shell_compliance(const Encounter& encounter) {
   return sum;
 }
 
+/// Least force at which a shell yields as it bends, N.
+double bending_force(const Encounter& encounter) {
+  double force = std::numeric_limits<double>::infinity();
+  for (const Participant* each : {&encounter.first, &met_by(encounter)}) {
+    const auto shell = shell_of(*each);
+    const auto its = strength_of(*each);
+    if (shell && its) force = std::min(force, *its * shell->thickness * shell->thickness);
+  }
+  return force;
+}
+
 }  // namespace
 
 double share_of_mass(const Participant& of) {
@@ -63,14 +75,7 @@ double yield_speed_with_shells(const Encounter& encounter, const quasistatic::Po
   // Hertz: energy (8/15) s δ^(5/2) and force (4/3) s δ^(3/2), s = E*√R.
   const double energy = 0.5 * mass * local * local, stiff = 1.0 / (pair.softness * std::sqrt(pair.curvature));
   const double depth = std::pow(1.875 * energy / stiff, 0.4), onset = 2.5 * energy / depth;
-  double force = onset;
-  for (const Participant* each : {&encounter.first, &met_by(encounter)}) {
-    const auto shell = shell_of(*each);
-    const auto its = strength_of(*each);
-    if (shell && its) force = std::min(force, *its * shell->thickness * shell->thickness);
-  }
-  const double of_contact = 2.0 * energy * std::pow(force / onset, 5.0 / 3.0);
-  return std::sqrt((of_contact + force * force * shell_compliance(encounter)) / mass);
+  return std::sqrt((2.0 * energy + onset * onset * shell_compliance(encounter)) / mass);
 }
 
 std::optional<double> yield_speed_with_shells(const Encounter& encounter) {
@@ -99,7 +104,13 @@ std::optional<ShellLimit> shell_limit(const Encounter& encounter) {
 
 std::vector<std::string> shell_warnings(const Encounter& encounter, double fastest) {
   const auto limit = shell_limit(encounter);
-  if (!limit || fastest <= limit->speed) return {};
+  if (!limit) return {};
+  std::vector<std::string> lines;
+  if (const double onset = bending_force(encounter) / limit->force * limit->speed; fastest > onset) {
+    lines.push_back("bending, some F/h^2, reaches the yield strength of the shell from about " + rounded(onset, 3) +
+                    " m/s on: no model here has that");
+  }
+  if (fastest <= limit->speed) return lines;
   std::string line = "the shell gives way by more than its thickness from about " + rounded(limit->speed, 3) +
                      " m/s on (" + rounded(limit->force, 3) + " N; you asked for " + rounded(fastest, 3) +
                      " m/s): linear elasticity ends there";
@@ -107,7 +118,8 @@ std::vector<std::string> shell_warnings(const Encounter& encounter, double faste
     line += ", and it buckles inward from about " + rounded(buckling * limit->speed, 3) + " m/s on (" +
             rounded(buckling * limit->force, 3) + " N)";
   }
-  return {line};
+  lines.push_back(std::move(line));
+  return lines;
 }
 
 }  // namespace stoss

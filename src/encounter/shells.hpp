@@ -11,7 +11,7 @@ namespace stoss {
 [[nodiscard]] double share_of_mass(const Participant& of);
 
 /// Speed at which bodies with materials begin to yield, m/s, hollow ones among them: where the pressure of Hertz'
-/// contact reaches 1.6 Y, or the bending stress F/h² of a shell of the thickness h reaches Y. The energy of the
+/// contact reaches 1.6 Y. The energy of the
 /// approach is that of both, ½mv² = Hertz' energy + F²/2k, with k of the shells as springs (ShellLimit).
 [[nodiscard]] double yield_speed_with_shells(const Encounter& encounter, const quasistatic::PointPair& pair,
                                              double mass, double strength);
