@@ -65,7 +65,8 @@ def main(folder: Path) -> None:
     axes.axvspan(speed, 2 * speed, color="0.92", label="large deflection")
     axes.axvspan(2 * speed, 3 * speed, color="0.82", label="buckles")
     axes.set(xscale="log", yscale="log", xlabel="speed / (m/s)", ylabel="1 − ε²", xlim=(0.04, 3 * speed))
-    axes.legend(fontsize=8)
+    axes.set_ylim(1e-6, 0.3)
+    axes.legend(fontsize=8, ncols=2, loc="lower left")
     figure.savefig(folder / "table_tennis_ball.png", dpi=150)
 
 
