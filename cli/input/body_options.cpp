@@ -18,7 +18,7 @@ namespace {
 std::vector<std::string> sizes_of(const Kind& its) {
   std::vector<std::string> names;
   for (const Parameter& each : its.parameters) {
-    if (!each.of_material && !is_of_whole(each.name)) names.emplace_back(each.name);
+    if (!each.of_material && !is_of_whole(each.name) && !is_shape(each)) names.emplace_back(each.name);
   }
   return names;
 }
@@ -54,6 +54,13 @@ void BodyOptions::add_kind_to(CLI::App& command, const std::vector<std::string>&
   std::string help = "Kind of body (default: sphere)";
   for (const std::string& name : kinds) {
     if (parameter(kind(name), "poisson") == nullptr) help += ". A " + name + " has no Poisson's ratio";
+  }
+  for (const std::string& name : kinds) {
+    for (const Parameter& each : kind(name).parameters) {
+      if (is_shape(each))
+        add(command, "--" + std::string(each.name), numbers_[std::string(each.name)],
+            fmt::format("Of a {}: {}, {} to {}", name, each.help, each.low, each.high), "NUMBER", "Body");
+    }
   }
   if (!files) {
     add_choice(command, "--body", kind_, kinds, help, "BODY", "Body");
@@ -128,7 +135,7 @@ void BodyOptions::add_material_to(CLI::App& command) {
   for (const std::string& owner : kinds_) {
     for (const Parameter& each : kind(owner).parameters) {
       const std::string name(each.name);
-      if (is_of_whole(name) || std::find(added.begin(), added.end(), name) != added.end()) continue;
+      if (is_of_whole(name) || is_shape(each) || std::find(added.begin(), added.end(), name) != added.end()) continue;
       added.push_back(name);
       const std::string more = name == "young" ? "; makes speeds m/s and adds SI values" : "";
       add(command, "--" + name, numbers_[name], fmt::format("{} in {}{}", each.help, each.unit, more), upper(each.unit),
@@ -163,8 +170,10 @@ void BodyOptions::require_own(const Kind& its) const {
 /// Whether there is something that only a body with a material has.
 bool BodyOptions::in_si() const {
   return !material_.empty() || !plane_.empty() || c_p_ || c_s_ ||
-         std::any_of(numbers_.begin(), numbers_.end(),
-                     [](auto& of) { return of.second && of.first != "poisson" && !is_of_whole(of.first); });
+         std::any_of(numbers_.begin(), numbers_.end(), [this](auto& of) {
+           const Parameter* its = parameter(kind(kind_), of.first);
+           return of.second && of.first != "poisson" && !is_of_whole(of.first) && (its == nullptr || !is_shape(*its));
+         });
 }
 
 void BodyOptions::set_numbers(Participant& body) const {

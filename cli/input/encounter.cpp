@@ -109,7 +109,7 @@ Participant parse_against(const std::string& text, const Participant& first) {
 }  // namespace
 
 void EncounterOptions::add_to(CLI::App& to, const std::string& note) {
-  first.add_kind_to(to, {"sphere", "disk", "rod"}, true);
+  first.add_kind_to(to, {"sphere", "hollow-sphere", "disk", "rod"}, true);
   first.add_dynamics_to(to);
   first.add_material_to(to);
   std::string help =

@@ -195,6 +195,8 @@ void bind_encounters(py::module_& module) {
   def(handle, "yield_speed", [](const Encounter& self) { return yield_speed(self); });
   def(handle, "yield_warning", {"speed"},
       [](const Encounter& self, double speed) { return yield_warning(self, speed); });
+  def(handle, "shell_warnings", {"fastest"},
+      [](const Encounter& self, double fastest) { return shell_warnings(self, fastest); });
   def(handle, "sound_warnings", [](const Encounter& self) { return sound_warnings(self); });
   def(handle, "scales", [](const Encounter& self) { return to_tuple(si_scales(self).value()); });
   def(handle, "wave_speeds", [](const Encounter& self) {

@@ -40,6 +40,7 @@ written.
                                   in a block or a plate records
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
 `Disk`, `Sphere`, `Rod`           bodies
+`HollowSphere`                    a shell, as a table-tennis ball
 `ModalBody`                       any body by its modes at a point, from a file
 `HalfSpace`, `HalfPlane`          elastic blocks, which carry waves away
 `Plate`, `Layer`, `Strip`         elastic plates of some thickness
@@ -63,7 +64,7 @@ import importlib
 from stoss import quasistatic
 from stoss._core import version as __version__
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
-from stoss.bodies._bodies import Body, Disk, Rod, Sphere
+from stoss.bodies._bodies import Body, Disk, HollowSphere, Rod, Sphere
 from stoss.bodies._material import Material, Scales, materials
 from stoss.bodies._measurement import FittedRelaxation, relaxation_of_measurement, shifted
 from stoss.bodies._modal import ModalBody
@@ -101,7 +102,7 @@ from stoss.sweeps._values import Sweep, merge, open_sweep
 
 __all__ = [
     "AtlasValue", "Body", "Bounces", "CalibratedConstant", "Calibration", "CollisionRule", "Disk", "DiskField", "ExponentialWall",
-    "Field", "Fit", "FittedRelaxation", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact",
+    "Field", "Fit", "FittedRelaxation", "Grid", "HalfPlane", "HalfSpace", "HardWall", "HollowSphere", "Impact",
     "Influence", "Interrupted", "InvalidInput", "Layer", "Material", "Misfit", "ModalBody", "Modes", "NotConverged",
     "ObliqueImpact", "ObliqueLedger", "ObliqueRestitution", "ObliqueTrajectory", "Oscillation",
     "PairTable", "Plate", "Prediction", "Pulse", "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod",

@@ -81,10 +81,11 @@ TYPES = {
     "Integer": "int | ndarray",
     "Flag": "bool | ndarray",
     "ArrayLike": "array_like",
-    "Body": "Disk | Sphere | Rod | ModalBody",
+    "Body": "Disk | Sphere | HollowSphere | Rod | ModalBody",
     "Unbounded": "HalfSpace | HalfPlane | Plate | Strip",
     "Standing": "HardWall | HalfSpace | HalfPlane | Plate | Strip",
-    "Against": "HardWall | ExponentialWall | Disk | Sphere | Rod | ModalBody | HalfSpace | HalfPlane | Plate | Strip",
+    "Against": "HardWall | ExponentialWall | Disk | Sphere | HollowSphere | Rod | ModalBody | "
+    "HalfSpace | HalfPlane | Plate | Strip",
     "State": "Oscillation | sequence of them | ndarray",
     "os.PathLike[str]": "path",
 }

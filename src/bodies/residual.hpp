@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "numeric/kernels.hpp"
@@ -13,6 +14,23 @@
 #include "stoss/poll.hpp"
 
 namespace stoss::bodies {
+
+/// What the static response of a round body has more than that of the plain one, by order: none of a plain one.
+struct OrderExcess {
+  std::vector<Flexibility> compliance{}, second_moment{};
+
+  /// Entry of an order, 0 beyond the last.
+  [[nodiscard]] static Flexibility at(const std::vector<Flexibility>& of, int order) {
+    return static_cast<std::size_t>(order) < of.size() ? of[static_cast<std::size_t>(order)] : Flexibility{};
+  }
+};
+
+[[nodiscard]] inline Flexibility operator+(const Flexibility& one, const Flexibility& other) {
+  return {one.radial + other.radial, one.mixed + other.mixed, one.tangential + other.tangential};
+}
+[[nodiscard]] inline Flexibility operator-(const Flexibility& one, const Flexibility& other) {
+  return {one.radial - other.radial, one.mixed - other.mixed, one.tangential - other.tangential};
+}
 
 /// The kept modes of a round body, added up order by order: what its static response has too much without them. The
 /// two amplitudes of a mode, radial and tangential, make the three entries of a symmetric matrix, a Flexibility.
@@ -39,10 +57,11 @@ class KeptSums {
   /// Σ_kept (radial, tangential)(radial, tangential)ᵀ/ω² of an order.
   [[nodiscard]] const Flexibility& compliance(int order) const { return compliance_[static_cast<std::size_t>(order)]; }
 
-  /// −Σ_kept (radial, tangential)(radial, tangential)ᵀ/ω², for the orders that have kept modes.
-  [[nodiscard]] std::vector<Flexibility> missing_compliance() const {
-    std::vector<Flexibility> missing;
-    for (const Flexibility& kept : compliance_) missing.push_back({-kept.radial, -kept.mixed, -kept.tangential});
+  /// The compliance that a body has more than a plain one, less Σ_kept (radial, tangential)(radial, tangential)ᵀ/ω².
+  [[nodiscard]] std::vector<Flexibility> missing_compliance(const OrderExcess& excess = {}) const {
+    std::vector<Flexibility> missing = excess.compliance;
+    missing.resize(std::max(missing.size(), compliance_.size()));
+    for (std::size_t n = 0; n < compliance_.size(); ++n) missing[n] = missing[n] - compliance_[n];
     return missing;
   }
 
@@ -55,9 +74,7 @@ class KeptSums {
       remaining.push_back(whole(n));
       if (static_cast<std::size_t>(n) >= second_moment_.size()) continue;
       const Flexibility& kept = second_moment_[static_cast<std::size_t>(n)];
-      remaining.back().radial -= kept.radial;
-      remaining.back().mixed -= kept.mixed;
-      remaining.back().tangential -= kept.tangential;
+      remaining.back() = remaining.back() - kept;
     }
     return remaining;
   }
@@ -99,18 +116,26 @@ struct OrderSum {
 template <typename Shape>
 class Residual {
  public:
-  /// @param kept modes, sorted by order
-  Residual(double poisson, double cutoff, const std::vector<Mode>& kept)
-      : poisson_(poisson), highest_order_(static_cast<int>(std::lround(8.0 * cutoff))), kept_(kept) {}
+  /// @param kept   modes, sorted by order
+  /// @param excess of its static response, over that of a plain disk or sphere
+  Residual(double poisson, double cutoff, const std::vector<Mode>& kept, OrderExcess excess = {})
+      : poisson_(poisson), highest_order_(highest_order(cutoff, excess)), excess_(std::move(excess)), kept_(kept) {}
+
+  /// Highest order that counts in the second moment.
+  [[nodiscard]] static int highest_order(double cutoff, const OrderExcess& excess) {
+    return std::max(static_cast<int>(std::lround(8.0 * cutoff)), static_cast<int>(excess.second_moment.size()) - 1);
+  }
 
   /// W_ij: the sum of R_n = Σ_{not kept} (radial, tangential)(radial, tangential)ᵀ/ω².
   [[nodiscard]] std::vector<double> compliance(const ContactPoints& points, const Poll& poll = {}) const {
-    return Shape::sum({poisson_, true, kept_.missing_compliance()}, points, poll);
+    return Shape::sum({poisson_, true, kept_.missing_compliance(excess_)}, points, poll);
   }
 
   /// V_ij: the same with ω⁴ for ω². Orders that follow any force that the time steps can resolve are left out.
   [[nodiscard]] std::vector<double> second_moment(const ContactPoints& points, const Poll& poll = {}) const {
-    const auto whole = [this](int n) { return Shape::static_second_moment(poisson_, n); };
+    const auto whole = [this](int n) {
+      return Shape::static_second_moment(poisson_, n) + OrderExcess::at(excess_.second_moment, n);
+    };
     return Shape::sum({poisson_, false, kept_.remaining_second_moment(highest_order_, whole)}, points, poll);
   }
 
@@ -118,7 +143,7 @@ class Residual {
   /// that the sum, faded out over its last half, has no error that counts from some orders above the kept ones on.
   [[nodiscard]] std::vector<double> opposite_compliance(const ContactPoints& here, const ContactPoints& there) const {
     constexpr int enough = 128;
-    const int orders = std::max(enough, 3 * kept_.orders());
+    const int orders = std::max({enough, 3 * kept_.orders(), static_cast<int>(excess_.compliance.size())});
     typename Shape::Loads mine(here), others(there);
     std::vector<double> sum(here.count * there.count);
     // Several orders at a time, so that each element of the sum is taken up once for them.
@@ -150,25 +175,26 @@ class Residual {
 
   /// Δt for which Δt² Σ_kept radial² is a share of the radial R_n in the worst order.
   [[nodiscard]] double stable_step() const {
-    return kept_.stable_step(Shape::stable_share, [this](int n) { return Shape::static_flexibility(poisson_, n); });
+    return kept_.stable_step(Shape::stable_share, [this](int n) { return static_flexibility(n); });
   }
 
  private:
   /// (−1)^n R_n, faded out over the last half of some orders.
   [[nodiscard]] Flexibility opposite_share(int n, int orders) const {
-    Flexibility r = Shape::static_flexibility(poisson_, n);
-    if (n < kept_.orders()) {
-      r.radial -= kept_.compliance(n).radial;
-      r.mixed -= kept_.compliance(n).mixed;
-      r.tangential -= kept_.compliance(n).tangential;
-    }
+    Flexibility r = static_flexibility(n);
+    if (n < kept_.orders()) r = r - kept_.compliance(n);
     const double late = std::max(0.0, 2.0 * n / orders - 1.0);
     const double weight = (n % 2 == 0 ? 1.0 : -1.0) * std::pow(std::cos(0.5 * std::numbers::pi * late), 2);
     return {weight * r.radial, weight * r.mixed, weight * r.tangential};
   }
 
+  [[nodiscard]] Flexibility static_flexibility(int n) const {
+    return Shape::static_flexibility(poisson_, n) + OrderExcess::at(excess_.compliance, n);
+  }
+
   double poisson_;
   int highest_order_;  // in the second moment
+  OrderExcess excess_;
   KeptSums kept_;
 };
 

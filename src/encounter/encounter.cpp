@@ -117,7 +117,9 @@ std::optional<Scales> si_scales(const Encounter& encounter) {
   if (first.modal) return scales(*first.modal);
   return with_given_loss_time(first, [&] {
     if (is_rod(encounter)) return scales(std::get<Rod>(kind("rod").solid(all)));
-    Scales its = scales(std::get<Sphere>(kind("sphere").solid(all)));
+    const Solid solid = kind(first.kind).solid(all);
+    const auto* hollow = std::get_if<HollowSphere>(&solid);
+    Scales its = hollow != nullptr ? scales(*hollow) : scales(std::get<Sphere>(solid));
     its.force *= 1.0 + all.at("extra_mass") * inverse_mass_of_solid(first);
     return its;
   });

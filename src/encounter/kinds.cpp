@@ -30,6 +30,7 @@ constexpr Parameter density{"density", "kg/m^3", 1.0, 0.0, infinity, false, true
 constexpr Parameter radius{"radius", "m", 1.0, 0.0, infinity, false, false, "radius"};
 constexpr Parameter length{"length", "m", 1.0, 0.0, infinity, false, false, "length"};
 constexpr Parameter thickness{"thickness", "m", {}, 0.0, infinity, false, false, "thickness, from face to face"};
+constexpr Parameter inner{"inner", "", {}, 0.0, 0.99, true, false, "radius of its hole over that of the sphere"};
 constexpr Parameter area{"area", "m^2", 1.0, 0.0, infinity, false, false, "area of the cross-section"};
 constexpr Parameter loss_time{
     "loss_time",
@@ -102,10 +103,11 @@ Solid round(const Values& of) {
   return Round{of.at("poisson"), of.at("radius"), of.at("young"), of.at("density"), of.at("loss_time")};
 }
 
-/// A sphere, whose extra mass is put on it later.
+/// A sphere or a hollow one, whose extra mass is put on it later.
+template <Solid solid(const Values&)>
 Solid ball(const Values& of) {
   require("extra_mass", of.at("extra_mass"), {0.0, infinity, true, false, "0 or more"}, "a mass fixed to the body");
-  return round<Sphere>(of);
+  return solid(of);
 }
 
 template <typename Unbounded>
@@ -120,6 +122,11 @@ Solid flat(const Values& of) {
 
 void add_layer(Solid& plate, const Values& of) {
   std::get<Plate>(plate).below.push_back({of.at("thickness"), of.at("poisson"), of.at("young"), of.at("density")});
+}
+
+Solid hollow_of(const Values& of) {
+  return HollowSphere{of.at("poisson"), of.at("inner"),   of.at("radius"),
+                      of.at("young"),   of.at("density"), of.at("loss_time")};
 }
 
 Solid rod_of(const Values& of) {
@@ -144,8 +151,12 @@ std::vector<Kind> make_kinds() {
   sphere.name = "sphere", sphere.plural = "spheres", sphere.help = "an elastic sphere";
   sphere.can_yield = true, sphere.has_plane = false, sphere.contour = Contour::ball;
   sphere.own = UnitSystem::sphere, sphere.si = UnitSystem::sphere_si;
-  sphere.parameters.front() = solid_poisson_number, sphere.solid = ball;
+  sphere.parameters.front() = solid_poisson_number, sphere.solid = ball<round<Sphere>>;
   sphere.parameters.push_back(extra_mass);
+  Kind hollow = sphere;
+  hollow.name = "hollow-sphere", hollow.plural = "hollow spheres", hollow.help = "a shell between concentric spheres";
+  hollow.can_be_rigid = false, hollow.solid = ball<hollow_of>;
+  hollow.parameters = {solid_poisson_number, radius, inner, young, density, loss_time, quality, extra_mass};
   Kind rod = sphere;
   rod.name = "rod", rod.plural = "rods", rod.help = "a thin elastic rod that meets with one end";
   rod.can_be_rigid = rod.can_yield = false, rod.contour = Contour::flat;
@@ -180,10 +191,10 @@ std::vector<Kind> make_kinds() {
   Kind wall = half_space;
   wall.name = "wall", wall.plural = "walls", wall.help = "a rigid wall";
   wall.wall = true, wall.can_yield = false, wall.parameters = {roughness, u0}, wall.solid = {};
-  for (Kind* each : {&disk, &sphere, &rod, &modal, &half_space, &half_plane, &plate, &strip}) {
+  for (Kind* each : {&disk, &sphere, &hollow, &rod, &modal, &half_space, &half_plane, &plate, &strip}) {
     each->parameters.insert(each->parameters.end(), {roughness, u0, coat, coat_young, coat_poisson, coat_quality});
   }
-  for (Kind* each : {&sphere, &modal, &half_space, &plate})
+  for (Kind* each : {&sphere, &hollow, &modal, &half_space, &plate})
     each->parameters.insert(each->parameters.end(), {yield_strength, yield_hardening, yield_rate});
   Kind same = wall;
   same.name = "same", same.plural = "equal bodies", same.help = "a second body, equal to the first";
@@ -192,7 +203,7 @@ std::vector<Kind> make_kinds() {
   exponential.name = "exponential", exponential.plural = "exponential walls";
   exponential.help = "a rigid wall with elastic asperities of the length 1/alpha: the paper's soft wall";
   exponential.parameters = {hardness, strength};
-  return {wall, same, disk, sphere, rod, half_space, half_plane, plate, strip, modal, exponential};
+  return {wall, same, disk, sphere, hollow, rod, half_space, half_plane, plate, strip, modal, exponential};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "check.hpp"
+#include "encounter/shells.hpp"
 #include "stoss/encounter/roughness.hpp"
 
 namespace stoss {
@@ -102,7 +103,7 @@ Values values_at_frequency(const Participant& of, std::optional<double> poisson,
       all[name] = given_or(of, name, 0.0);
     } else if (const auto found = of.values.find(name); found != of.values.end()) {
       all[name] = found->second;
-    } else if (of.material) {
+    } else if (of.material && !is_shape(each)) {
       throw InvalidInput::missing(name, "", "a material needs it too, in " + std::string(each.unit));
     } else if (of.rigid && name == "poisson") {
       all[name] = units_of_rigid.at("poisson");
@@ -150,7 +151,7 @@ const NamedMaterial* named_of(const Participant& of) {
 double inverse_mass_of_solid(const Participant& of) {
   if (of.modal) return 1.0 / of.modal->mass;
   const double curvature = 1.0 / given_or(of, "radius", std::numeric_limits<double>::infinity());
-  return 3.0 / (4.0 * std::numbers::pi * of.material->density) * std::pow(curvature, 3);
+  return 3.0 / (4.0 * std::numbers::pi * of.material->density) * std::pow(curvature, 3) / share_of_mass(of);
 }
 
 double inverse_mass_of(const Participant& of) {

@@ -6,6 +6,7 @@ namespace {
 struct Make {
   BodyMaker operator()(const Disk& value) const { return disk(value); }
   BodyMaker operator()(const Sphere& value) const { return sphere(value); }
+  BodyMaker operator()(const HollowSphere& value) const { return hollow_sphere(value); }
   BodyMaker operator()(const Rod& value) const { return rod(value); }
   BodyMaker operator()(const HalfSpace& value) const { return half_space(value); }
   BodyMaker operator()(const HalfPlane& value) const { return half_plane(value); }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "encounter/participant.hpp"
+#include "encounter/shells.hpp"
 #include "encounter/yielding.hpp"
 #include "stoss/encounter/encounter.hpp"
 #include "stoss/encounter/kinds.hpp"
@@ -23,7 +24,7 @@ std::string weaker_of(const Encounter& encounter) {
   const std::string& met = encounter.against.kind;
   if (strength_of(encounter.first).value_or(unlimited) <= strength_of(encounter.against).value_or(unlimited))
     return "ball";
-  return met == "sphere" ? "other ball" : met == "half-space" ? "block" : met;
+  return met == "sphere" || met == "hollow-sphere" ? "other ball" : met == "half-space" ? "block" : met;
 }
 
 std::string rounded_to(int digits, double number) {
@@ -75,6 +76,11 @@ std::optional<double> strength_of(const Participant& of) {
 }
 
 std::optional<double> yield_speed(const Encounter& encounter) {
+  if (has_shell(encounter)) {
+    const Kind& met = kind(encounter.against.kind);
+    const bool known = encounter.first.material && kind(encounter.first.kind).can_yield && (met.wall || met.can_yield);
+    return known ? yield_speed_with_shells(encounter) : std::nullopt;
+  }
   const auto of_solids = yield_speed_of_solids(encounter);
   return of_solids ? std::optional(*of_solids * slower_by_extra_mass(encounter)) : std::nullopt;
 }
@@ -121,7 +127,8 @@ std::string yield_warning(const Encounter& encounter, double speed, const std::s
 }
 
 std::vector<std::string> material_warnings(const Encounter& encounter, double fastest) {
-  std::vector<std::string> all = sound_warnings(encounter);
+  std::vector<std::string> all = shell_warnings(encounter, fastest);
+  for (std::string& line : sound_warnings(encounter)) all.push_back(std::move(line));
   if (std::string line = yield_warning(encounter, fastest); !line.empty()) all.insert(all.begin(), std::move(line));
   return all;
 }

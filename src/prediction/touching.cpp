@@ -9,6 +9,7 @@
 
 #include "check.hpp"
 #include "encounter/participant.hpp"
+#include "encounter/shells.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/quasistatic/adhesion.hpp"
 #include "stoss/quasistatic/yield.hpp"
@@ -112,14 +113,15 @@ Touching touching(const Encounter& encounter, std::optional<double> work_of_adhe
   validate(encounter);
   const Participant& ball = encounter.first;
   const Participant& met = encounter.against;
-  if (ball.kind != "sphere" && !ball.modal) {
-    throw InvalidInput::out_of_range("body", "a " + ball.kind, "a sphere, or a body by its modes at a point",
+  if (ball.kind != "sphere" && ball.kind != "hollow-sphere" && !ball.modal) {
+    throw InvalidInput::out_of_range("body", "a " + ball.kind, "a sphere, a hollow-sphere, or a body by its modes",
                                      "yield and adhesion are models of what touches on a circle");
   }
   if (!ball.material)
     throw InvalidInput::missing("material", "", "the ball needs one, and so does what it meets, in SI");
   if (met.kind == "exponential") {
-    throw InvalidInput::out_of_range("against", met.kind, "wall, same, sphere, half-space, plate or modal");
+    throw InvalidInput::out_of_range("against", met.kind,
+                                     "wall, same, sphere, hollow-sphere, half-space, plate or modal");
   }
   const Side one = side_of(ball, frequency);
   Side other;
@@ -132,7 +134,7 @@ Touching touching(const Encounter& encounter, std::optional<double> work_of_adhe
   made.mass = 1.0 / (one.inverse_mass + other.inverse_mass);
   if (const auto strength = weaker(one.yield_strength, other.yield_strength)) {
     made.yield_strength = strength;
-    made.yield_speed = quasistatic::yield_speed(made.pair, made.mass, *strength);
+    made.yield_speed = yield_speed_with_shells(encounter, made.pair, made.mass, *strength);
   }
   made.work_of_adhesion = work_of_adhesion.value_or(work_between(one, other));
   require("adhesion", made.work_of_adhesion, ranges::adhesion, "work of adhesion in J/m^2");

@@ -55,6 +55,7 @@ std::vector<std::string> warnings(const Encounter& encounter, const Thresholds& 
     if (!has_strength(*each))
       all.push_back("no yield strength " + who + " is known: it is taken not to yield or break");
   }
+  for (const std::string& line : shell_warnings(encounter, made.speed)) all.push_back(line);
   for (const std::string& line : sound_warnings(encounter)) all.push_back(line);
   if (computed.finest.beyond_small_strain) {
     all.emplace_back("strains are large: linear elasticity, and so the computed channels, are no longer accurate");

@@ -141,9 +141,12 @@ std::vector<Bar> other_bars(const Contact& contact, double speed, const Restitut
   const Term parts{at_a_point ? "" : "squared_step", squared_step, last.impulse_time > 0.0 ? of_parts : 0.0};
   // A wave that comes back to the edge of a disk, or was there, is a short peak; balls have roughness, from what of the
   // unresolved energy may come back.
-  const double amplitude = calm ? roughness * std::sqrt(rebound(contact, last) * returned(contact)) : focus;
+  const double thin = std::max(contact.first->hole, contact.second == nullptr ? 0.0 : contact.second->hole);
+  const double shell = roughness_of_shells * std::pow(thin, 6);
+  const double amplitude = shell + (calm ? roughness * std::sqrt(rebound(contact, last) * returned(contact)) : focus);
   const double peak = amplitude * std::sqrt(std::max(0.0, last.unresolved));
   Term force{calm ? "roughness" : "focus", calm ? roughness : focus, peak * last.max_force};
+  if (shell > roughness) force.constant = "roughness_of_shells", force.in_use = roughness_of_shells;
   if (at_a_point && ripple > peak) force = {"ripple", ripple, ripple * last.max_force};
   const Term nodes = at_a_point ? Term{} : node_error_of_losses(contact, speed, last);
   const double closest = turn * last.unresolved, missing = closest + nodes.error;

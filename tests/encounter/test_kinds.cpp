@@ -62,7 +62,7 @@ TEST(Kinds, HaveMakersThatRefuse) {
       if (is_of_whole(each.name) && each.name != "loss_time") continue;  // not of the solid
       std::vector<double> wrong{std::nan(""), infinity, -infinity, -1.5};
       if (each.name == "poisson") wrong.insert(wrong.end(), {each.low - 1e-9, each.high + 1e-9});
-      if (each.name != "poisson" && each.name != "loss_time") wrong.push_back(0.0);
+      if (each.name != "poisson" && each.name != "loss_time" && each.name != "inner") wrong.push_back(0.0);
       for (const double value : wrong) {
         Values changed = usual;
         changed[std::string(each.name)] = value;
@@ -75,15 +75,17 @@ TEST(Kinds, HaveMakersThatRefuse) {
 TEST(Kinds, AreFoundByTheirNames) {
   for (const Kind& its : kinds()) EXPECT_EQ(&kind(its.name), &its);
   EXPECT_EQ(test::message_of<InvalidInput>([] { (void)kind("cube"); }),
-            "kind: got 'cube', allowed wall, same, disk, sphere, rod, half-space, half-plane, plate, strip, modal, "
+            "kind: got 'cube', allowed wall, same, disk, sphere, hollow-sphere, rod, half-space, half-plane, plate, "
+            "strip, modal, "
             "exponential");
 }
 
 TEST(Kinds, SayWhoMeetsWhom) {
-  EXPECT_EQ(who_meets_whom(),
-            "a disk meets disks, half-planes and strips; a sphere spheres, half-spaces, plates and modal bodies; a rod "
-            "rods; a "
-            "modal body spheres, half-spaces, plates and modal bodies");
+  EXPECT_EQ(
+      who_meets_whom(),
+      "a disk meets disks, half-planes and strips; a sphere spheres, hollow spheres, half-spaces, plates and modal "
+      "bodies; a hollow-sphere spheres, hollow spheres, half-spaces, plates and modal bodies; a rod rods; a modal "
+      "body spheres, hollow spheres, half-spaces, plates and modal bodies");
 }
 
 }  // namespace

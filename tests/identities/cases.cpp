@@ -39,6 +39,8 @@ const std::vector<Named> bodies{{"disk_m50", Disk{-0.5}},
                                 {"sphere_m50", Sphere{-0.5}},
                                 {"sphere_30", Sphere{0.3}},
                                 {"sphere_49", Sphere{0.49}},
+                                {"hollow_50", HollowSphere{.poisson = 0.3, .inner = 0.5}},
+                                {"lossy_hollow_60", HollowSphere{.poisson = 0.3, .inner = 0.6, .loss_time = 0.1}},
                                 {"lossy_disk", Disk{.poisson = 0.33, .loss_time = 0.1}},
                                 {"lossy_rod", Rod{.loss_time = 0.05}},
                                 {"lossy_sphere", Sphere{.poisson = 0.3, .loss_time = 0.1}},
@@ -133,10 +135,10 @@ const std::vector<Named>& others(const Named& body) {
   const bool lossy = loss_time_of(solid) > 0.0;
   if (!body.relaxation.terms.empty()) {
     if (std::holds_alternative<Rod>(solid)) return beside_relaxing_rods;
-    return std::holds_alternative<Sphere>(solid) ? beside_relaxing_spheres : beside_relaxing_disks;
+    return is_ball(solid) ? beside_relaxing_spheres : beside_relaxing_disks;
   }
   if (std::holds_alternative<Rod>(solid)) return lossy ? beside_lossy_rods : other_rods;
-  if (std::holds_alternative<Sphere>(solid)) return lossy ? beside_lossy_spheres : other_spheres;
+  if (is_ball(solid)) return lossy ? beside_lossy_spheres : other_spheres;
   return lossy ? beside_lossy_disks : other_disks;
 }
 
@@ -146,7 +148,7 @@ const Named* half_space_for(const Named& body) {
   const bool lossy = loss_time_of(solid) > 0.0;
   if (body.name == "relaxing_sphere") return &relaxing_half_space;
   if (body.name == "relaxing_disk") return &relaxing_half_plane;
-  if (std::holds_alternative<Sphere>(solid)) return lossy ? &lossy_half_space : &half_space_beside;
+  if (is_ball(solid)) return lossy ? &lossy_half_space : &half_space_beside;
   if (std::holds_alternative<Disk>(solid)) return lossy ? &lossy_half_plane : &half_plane_beside;
   return nullptr;
 }
@@ -164,7 +166,7 @@ const Named* plate_for(const Named& body) {
 std::vector<Case> make_cases() {
   std::vector<Case> cases;
   for (const Named& body : bodies) {
-    const bool ball = std::holds_alternative<Sphere>(body.solid);
+    const bool ball = is_ball(body.solid);
     for (const Meeting& wall : ball ? walls_of_spheres : walls) add(body, nullptr, wall, cases);
     std::vector<Named> partners = others(body);
     partners.push_back({"same", body.solid, body.relaxation});
@@ -199,6 +201,7 @@ void resize_round(Solid& solid, double length, double modulus, double density) {
     round.density *= density;
   };
   if (auto* ball = std::get_if<Sphere>(&solid)) return resize(*ball);
+  if (auto* ball = std::get_if<HollowSphere>(&solid)) return resize(*ball);
   resize(std::get<Disk>(solid));
 }
 
@@ -262,6 +265,7 @@ namespace {
 BodyMaker maker(const Solid& solid) {
   if (const auto* slender = std::get_if<Rod>(&solid)) return rod(*slender);
   if (const auto* ball = std::get_if<Sphere>(&solid)) return sphere(*ball);
+  if (const auto* ball = std::get_if<HollowSphere>(&solid)) return hollow_sphere(*ball);
   return disk(std::get<Disk>(solid));
 }
 

@@ -127,13 +127,11 @@ TEST_P(ObliqueIdentity, SlidesThroughAsRigidBodiesDo) {
   const double lost = weak * (1.0 + impact.restitution) * its.speed;
   // At the edge of a fast contact the surface moves as fast as it pleases.
   EXPECT_NEAR(impact.impulse, lost, its.speed > 0.2 ? 1e-3 * lost : 1e-9 * its.speed);
-  // 1 + mR²/I of each that turns: 3.5 of spheres, 3 of disks.
-  const bool ball = std::holds_alternative<Sphere>(its.first);
-  const double inverse_inertia = ball ? 2.5 : 2.0;
+  // 1 + mR²/I of each that turns: 3.5 of solid spheres, 3 of disks.
   const double first = mass(its.first);
   const double reduced = second_turns ? mass(*its.second) / (first + mass(*its.second)) : 1.0;
-  const double turned =
-      reduced * (inverse_inertia + (second_turns ? inverse_inertia * first / mass(*its.second) : 0.0));
+  const double turned = reduced * (1.0 / inertia_share(its.first) +
+                                   (second_turns ? first / mass(*its.second) / inertia_share(*its.second) : 0.0));
   EXPECT_NEAR(impact.sliding_after, impact.sliding - lost * (1.0 + turned), 2.0 * of_arm(impact) * lost * turned);
 }
 
@@ -141,9 +139,9 @@ TEST_P(ObliqueIdentity, SlidesThroughAsRigidBodiesDo) {
 TEST_P(ObliqueIdentityOfPairs, AllMomentaHoldInAnyFrame) {
   const Obliquity before = turns();
   const ObliqueImpact after = run(before);
-  const double m1 = mass(its.first), m2 = mass(*its.second),
-               share = std::holds_alternative<Sphere>(its.first) ? 0.4 : 0.5;
-  const double i1 = share * m1, i2 = share * m2 * second_radius * second_radius;
+  const double m1 = mass(its.first), m2 = mass(*its.second);
+  const double i1 = inertia_share(its.first) * m1;
+  const double i2 = inertia_share(*its.second) * m2 * second_radius * second_radius;
   const double impulse = after.impulse * m1 * m2 / (m1 + m2);
   for (const double frame : {0.0, -before.tangential, 3.0}) {
     const std::array velocity{before.tangential + frame, frame};
@@ -196,7 +194,7 @@ TEST_P(ObliqueIdentityOfEqualBodies, AreOneAtAWallAtHalfTheSpeed) {
       run(contact_of(at_wall), 0.5 * its.speed, {0.5 * before.tangential, before.spin, 0.0, friction}, step);
   EXPECT_NEAR(pair.spin_after, pair.second_spin_after, 1e-10);
   EXPECT_NEAR(pair.energy.vibration, pair.energy.second_vibration, 1e-10);
-  if (!std::holds_alternative<Sphere>(its.first)) return;  // a wall mixes the directions of a disk
+  if (!is_ball(its.first)) return;  // a wall mixes the directions of a disk
   EXPECT_NEAR(pair.restitution, wall.restitution, 1e-10);
   EXPECT_NEAR(pair.tangential_after, 2.0 * wall.tangential_after, 1e-10);
   EXPECT_NEAR(pair.spin_after, wall.spin_after, 1e-10);

@@ -93,6 +93,7 @@ struct Body {
   double mass = 0.0;                  ///< of the body, and of every mode
   double extent = 0.0;                ///< distance from the centre of mass to the foremost point
   double curvature = 1.0;             ///< of its surface near the foremost point, 1/R
+  double hole = 0.0;                  ///< radius of a concentric hole, whose shell gives waves back at once, R; 0: none
   double curvature_difference = 0.0;  ///< of the principal curvatures there, 1/R; `curvature` is their mean
   double softness = 1.0;    ///< 1/E* near its end, in 1/E: 1 in plane stress, 1 − ν² in plane strain, 0 if rigid
   double inertia = 0.0;     ///< moment about the centre of mass, mass × R²; 0: it does not turn

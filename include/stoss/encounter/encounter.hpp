@@ -108,7 +108,25 @@ void validate(const Encounter& encounter);
 /// loss it has.
 [[nodiscard]] std::vector<std::string> sound_warnings(const Encounter& encounter);
 
-/// All that a user must be told of the materials of computed impacts: yield_warning at the fastest and sound_warnings.
+/// Where the shell of a hollow sphere begins to give way by more than its thickness h, of bodies with materials.
+struct ShellLimit {
+  double force = 0.0;  ///< N, 4Eh³/(R√(3(1−ν²))): that of a spherical shell under a force at a point times h (E.
+                       ///< Reissner, J. Math. Phys. 25, 279 (1946))
+  double speed = 0.0;  ///< of approach, about, m/s: that at which the shells as springs take all of the energy
+};
+
+/// Deflection over h, and so about force and speed over those of ShellLimit, at which a shell that is pressed at a
+/// plane buckles inward (L. Pauchard and S. Rica, Phil. Mag. B 78, 225 (1998): about 2).
+inline constexpr double buckling = 2.0;
+
+/// Nothing without a hollow sphere or without materials.
+[[nodiscard]] std::optional<ShellLimit> shell_limit(const Encounter& encounter);
+
+/// What a user must be told of shells: a line where they deflect by more than linear elasticity knows, else nothing.
+/// @param fastest m/s
+[[nodiscard]] std::vector<std::string> shell_warnings(const Encounter& encounter, double fastest);
+
+/// All that a user must be told of computed impacts: yield_warning and shell_warnings at the fastest, sound_warnings.
 /// @param fastest m/s
 [[nodiscard]] std::vector<std::string> material_warnings(const Encounter& encounter, double fastest);
 

@@ -64,6 +64,11 @@ inline constexpr std::size_t most_layers = 20;
   return is_loss(name) || is_of_face(name) || name == "extra_mass";
 }
 
+/// Whether a parameter is a pure number that says what shape something has.
+[[nodiscard]] inline bool is_shape(const Parameter& its) {
+  return its.unit.empty() && !its.of_material && !is_of_whole(its.name);
+}
+
 /// All kinds, in the order in which they are named.
 [[nodiscard]] const std::vector<Kind>& kinds();
 

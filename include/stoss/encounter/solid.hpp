@@ -4,6 +4,7 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/half_space.hpp"
+#include "stoss/bodies/hollow_sphere.hpp"
 #include "stoss/bodies/modal_body.hpp"
 #include "stoss/bodies/plate.hpp"
 #include "stoss/bodies/rod.hpp"
@@ -13,7 +14,7 @@
 namespace stoss {
 
 /// What has a surface that deforms, as a value: its size and material, in any consistent units.
-using Solid = std::variant<Disk, Sphere, Rod, HalfSpace, HalfPlane, Plate, Strip, ModalBody>;
+using Solid = std::variant<Disk, Sphere, HollowSphere, Rod, HalfSpace, HalfPlane, Plate, Strip, ModalBody>;
 
 /// Makes the body of a solid at any cutoff. @throws InvalidInput as the maker of its kind
 [[nodiscard]] BodyMaker maker(const Solid& solid);

@@ -8,13 +8,13 @@ from stoss.bodies._modal import ModalBody
 from stoss.bodies._faces import FACE
 from stoss.bodies._kinds import KINDS
 from stoss.bodies._solid import is_rigid
-from stoss.bodies._solids import Disk as Disk, Rod as Rod, Sphere as Sphere
+from stoss.bodies._solids import Disk as Disk, HollowSphere as HollowSphere, Rod as Rod, Sphere as Sphere
 from stoss.bodies._walls import UNBOUNDED, Unbounded
 
-Body = Union[Disk, Rod, Sphere, ModalBody]
-"""Any body: a disk, a rod, a sphere, or one by its modes at a point."""
+Body = Union[Disk, Rod, Sphere, HollowSphere, ModalBody]
+"""Any body: a disk, a rod, a sphere, solid or hollow, or one by its modes at a point."""
 
-BODIES = (Disk, Rod, Sphere, ModalBody)
+BODIES = (Disk, Rod, Sphere, HollowSphere, ModalBody)
 """The classes of bodies, for isinstance."""
 
 PARTNERS = (*BODIES, *UNBOUNDED)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from stoss import _core
 from stoss._arguments import choice, instance, number, refusal
 from stoss._errors import InvalidInput
-from stoss.bodies._bodies import BODIES, PARTNERS, Body, Disk, Sphere
+from stoss.bodies._bodies import BODIES, PARTNERS, Body, Disk, HollowSphere, Sphere
 from stoss.bodies._material import NAMES
 from stoss.bodies._faces import has_rate
 from stoss.bodies._kinds import KINDS, Specification
@@ -200,17 +200,18 @@ def material_warnings_of(body: Any, against: Any, fastest: float) -> list[str]:
     if body.material is None or not isinstance(against, (str, type(None), *PARTNERS, *WALLS)):
         return said
     met = "same" if isinstance(against, str) or against is body else HardWall() if against is None else against
-    return said + drop_encounter(body, met).sound_warnings()
+    both = drop_encounter(body, met)
+    return said + both.shell_warnings(fastest) + both.sound_warnings()
 
 
 def _that_may_yield(body: Any, against: Any) -> _core.Encounter | None:
-    if not isinstance(body, Sphere) or body.material is None:
+    if not isinstance(body, (Sphere, HollowSphere)) or body.material is None:
         return None
     met = body if isinstance(against, str) else against
     return _with_materials(body, met if isinstance(met, PARTNERS) else None)
 
 
-def _with_materials(first: Sphere, second: Body | Unbounded | None) -> _core.Encounter:
+def _with_materials(first: Sphere | HollowSphere, second: Body | Unbounded | None) -> _core.Encounter:
     """Both in SI."""
     met = "wall" if second is None else describe(second)
     return _encounter(json.dumps({"first": describe(first), "against": met}))

@@ -156,11 +156,11 @@ class Solid:
         """The same in units of its own: at a wall all sizes are one, and share what is made for it."""
         size: float = getattr(self, "radius", None) or getattr(self, "length")
         rate = float((self.young / self.density) ** 0.5 / size)
-        poisson = {"poisson": self.poisson} if hasattr(self, "poisson") else {}
+        shape = {name: getattr(self, name) for name in ("poisson", "inner") if hasattr(self, name)}
         relaxation = self.relaxation and [(share, time * rate) for share, time in self.relaxation]
         losses = {"loss_time": self.loss_time * rate, "quality": self.quality, "relaxation": relaxation}
         given = {name: each for name, each in losses.items() if each or name == "loss_time"}
-        return {"kind": self._kind, **poisson, **given, **face_of(self, size, self.young),
+        return {"kind": self._kind, **shape, **given, **face_of(self, size, self.young),
                 **load_of(self, self.density * size**3)}
 
 

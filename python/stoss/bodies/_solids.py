@@ -57,6 +57,28 @@ class Sphere(Solid):
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
+class HollowSphere(Solid):
+    """A shell between concentric spheres, as a table-tennis ball: a sphere with a hole.
+
+    Units are those of a sphere, with the mass of the shell, (4π/3)R³ρ(1 − inner³). It meets what spheres meet and
+    turns with its own moment of inertia. Linear elasticity ends early in thin shells: see
+    `limits <https://stoss.readthedocs.io/en/latest/reference/limits.html>`_.
+
+    Parameters:
+        poisson: Poisson's ratio ν, −0.95 to 0.4999.
+        inner (float): Radius of the hole over R, 0 to 0.99: 1 − h/R of a wall of the thickness h.
+
+    Examples:
+        >>> celluloid = stoss.Material(young=2.5e9, poisson=0.35, density=1400)
+        >>> ball = stoss.HollowSphere(radius=20e-3, inner=0.98, material=celluloid)
+        >>> round(ball.scales.speed)
+        1336
+    """
+
+    _kind = "hollow-sphere"
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
 class Rod(Solid):
     """A thin elastic rod that meets a wall or another rod with one end.
 

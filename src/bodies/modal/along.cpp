@@ -10,7 +10,6 @@
 
 #include "bodies/half_space/surface_waves.hpp"
 #include "bodies/modal/point_modes.hpp"
-#include "bodies/sphere/along/along.hpp"
 #include "bodies/sphere/degree_sums.hpp"
 #include "bodies/surface/residual.hpp"
 #include "check.hpp"
@@ -118,7 +117,7 @@ Body outward(const Body& body, const ModalBody& its, const PointModes& modes) {
   constexpr double no_waves = 1e-6;
   const auto without_waves = [near](const Poll& poll) {
     if (near.plane) return stoss::half_space(HalfSpace{near.poisson}, no_waves, local_duration, poll).outward(poll);
-    return sphere::outward(stoss::sphere(Sphere{near.poisson}, no_waves, poll), near.poisson, {});
+    return stoss::sphere(Sphere{near.poisson}, no_waves, poll).outward(poll);
   };
   Body twin = twin_of(body);
   twin.components = 2;

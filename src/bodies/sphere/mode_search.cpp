@@ -119,12 +119,16 @@ void require_poisson(double poisson) {
           "Poisson's ratio of the material; at 0.5 it would be incompressible");
 }
 
+int degrees_below(double poisson, double cutoff) {
+  return static_cast<int>(std::ceil(cutoff / slowest_surface_wave(poisson))) + 2;
+}
+
 std::vector<Mode> find_modes(double poisson, double cutoff, const Poll& poll) {
   // The roots lie above ω = 1 for every ν, the zeros of j_n and of (x j_n)' (n ≥ 1) more than 2.7 from 0 and each
   // other.
   const WaveSpeeds speed = wave_speeds(poisson);
   const WaveNumbers wave{1.0 / speed.pressure, 1.0 / speed.shear};
-  const auto orders = static_cast<std::size_t>(std::ceil(cutoff / slowest_surface_wave(poisson))) + 2;
+  const auto orders = static_cast<std::size_t>(degrees_below(poisson, cutoff));
   std::vector<Mode> modes = breathing_modes(poisson, cutoff);
   for (const auto& found : modes_by_order<EdgeProblem>(wave, cutoff, orders, poll)) {
     modes.insert(modes.end(), found.begin(), found.end());

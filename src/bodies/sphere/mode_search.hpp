@@ -70,6 +70,9 @@ struct WaveSpeeds {
 /// Throws InvalidInput unless `poisson` is one of which the modes are tested, −0.95 … 0.4999.
 void require_poisson(double poisson);
 
+/// Degrees of which the lowest modes may lie below a cutoff: from this one on they do not.
+[[nodiscard]] int degrees_below(double poisson, double cutoff);
+
 /// All modes with 0 < ω ≤ cutoff, sorted by degree and frequency; arguments already checked.
 [[nodiscard]] std::vector<Mode> find_modes(double poisson, double cutoff, const Poll& poll);
 

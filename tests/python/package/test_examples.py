@@ -36,6 +36,7 @@ FILES = {
     "17_ring": ["ring.png"],
     "18_ball_drop_calibration": ["ball_drop.csv", "ball_drop.png", "ball_drop_below.txt", "ball_drop_force.txt"],
     "19_impact_echo": ["impact_echo.csv", "impact_echo.png"],
+    "20_table_tennis_ball": ["table_tennis_ball.csv", "table_tennis_ball.png"],
     "24_leeb_hardness": ["leeb.csv", "leeb.png"],
 }
 
@@ -265,6 +266,13 @@ def test_impact_echo(example):
         assert float(row["thinnest_m"]) == pytest.approx(0.96 * speed / (2 * float(row["useful_Hz"])), rel=1e-6)
         # Of a sin^{3/2} of the contact time a tenth is left at 1.5 over it.
         assert float(row["useful_Hz"]) * float(row["contact_time_s"]) == pytest.approx(1.5, abs=0.05)
+
+
+def test_table_tennis_ball(example):
+    rows = example("20_table_tennis_ball").csv("table_tennis_ball.csv")
+    shell, lossy, solid = (np.array([float(row[name]) for row in rows]) for name in ("shell", "shell_lossy", "solid"))
+    assert np.all((1 - solid < 1e-3) & (1 - solid < 1 - shell) & (1 - shell < 1 - lossy))
+    assert np.all((0.96 < lossy) & (lossy < 0.975))  # 0.9754 is measured at 1.25 m/s
 
 
 def test_leeb_hardness(example):

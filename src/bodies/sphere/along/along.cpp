@@ -11,6 +11,8 @@
 #include "bodies/residual.hpp"
 #include "bodies/sphere/along/toroidal.hpp"
 #include "bodies/sphere/degree_sums.hpp"
+#include "bodies/sphere/hole/hole.hpp"
+#include "bodies/sphere/hole/radial_shell.hpp"
 #include "bodies/sphere/legendre.hpp"
 #include "bodies/sphere/mode_search.hpp"
 #include "bodies/sphere/surface_points.hpp"
@@ -18,7 +20,9 @@
 namespace stoss::bodies::sphere {
 namespace {
 
-std::vector<ModeGroup> groups_along(const std::vector<ModeGroup>& axial, const std::vector<ToroidalMode>& toroidal) {
+/// @param unit amplitude of a mode of the mass of the body, over that of one of the mass of a solid sphere
+std::vector<ModeGroup> groups_along(const std::vector<ModeGroup>& axial, const std::vector<ToroidalMode>& toroidal,
+                                    double unit) {
   std::vector<ModeGroup> groups;
   for (ModeGroup group : axial) {
     if (group.order == 0) continue;
@@ -34,7 +38,7 @@ std::vector<ModeGroup> groups_along(const std::vector<ModeGroup>& axial, const s
       groups.push_back({mode.order, {}, {}, {}, row, row, {}, n});
     }
     groups.back().omega.push_back(mode.omega);
-    groups.back().upper.push_back(mode.amplitude * std::sqrt(0.5 * n * (n + 1.0)));
+    groups.back().upper.push_back(unit * mode.amplitude * std::sqrt(0.5 * n * (n + 1.0)));
     groups.back().lower.push_back(0.0);
   }
   return groups;
@@ -43,8 +47,13 @@ std::vector<ModeGroup> groups_along(const std::vector<ModeGroup>& axial, const s
 /// W and V along the surface of the modes that are not kept.
 class ResidualAlong {
  public:
-  ResidualAlong(double poisson, double cutoff, const std::vector<Mode>& kept, const std::vector<ToroidalMode>& toroidal)
-      : poisson_(poisson), highest_degree_(static_cast<int>(std::lround(8.0 * cutoff))), kept_(kept) {
+  ResidualAlong(double poisson, double cutoff, const Kept& kept, const std::vector<ToroidalMode>& toroidal,
+                const Poll& poll)
+      : poisson_(poisson),
+        excess_(kept.hole.excess(poll)),
+        toroidal_excess_(kept.hole.toroidal_excess(poll)),
+        highest_degree_(Residual::highest_order(cutoff, excess_)),
+        kept_(*kept.modes) {
     for (const ToroidalMode& mode : toroidal) {
       const auto n = static_cast<std::size_t>(mode.order);
       compliance_.resize(n + 1);
@@ -56,15 +65,22 @@ class ResidualAlong {
   }
 
   [[nodiscard]] std::vector<double> compliance(const ContactPoints& points, const Poll& poll) const {
-    std::vector<double> toroidal;
-    for (const double kept : compliance_) toroidal.push_back(-kept);
-    return sum_over_degrees({{poisson_, true, kept_.missing_compliance()}, true, std::move(toroidal)}, points, poll);
+    std::vector<double> toroidal = toroidal_excess_.compliance;
+    toroidal.resize(std::max(toroidal.size(), compliance_.size()));
+    for (std::size_t n = 0; n < compliance_.size(); ++n) toroidal[n] -= compliance_[n];
+    return sum_over_degrees({{poisson_, true, kept_.missing_compliance(excess_)}, true, std::move(toroidal)}, points,
+                            poll);
   }
 
   [[nodiscard]] std::vector<double> second_moment(const ContactPoints& points, const Poll& poll) const {
-    const auto whole = [this](int n) { return static_second_moment(poisson_, n); };
+    const auto whole = [this](int n) {
+      return static_second_moment(poisson_, n) + OrderExcess::at(excess_.second_moment, n);
+    };
     std::vector<double> toroidal{0.0};
     for (int n = 1; n <= highest_degree_; ++n) toroidal.push_back(toroidal_second_moment(poisson_, n));
+    for (std::size_t n = 1; n < std::min(toroidal.size(), toroidal_excess_.second_moment.size()); ++n) {
+      toroidal[n] += toroidal_excess_.second_moment[n];
+    }
     for (std::size_t n = 1; n < std::min(toroidal.size(), second_moment_.size()); ++n) {
       toroidal[n] -= second_moment_[n];
     }
@@ -75,6 +91,8 @@ class ResidualAlong {
 
  private:
   double poisson_;
+  OrderExcess excess_;
+  Hole::Toroidal toroidal_excess_;
   int highest_degree_;  // in the second moment
   KeptSums kept_;
   std::vector<double> compliance_, second_moment_;  // of the kept toroidal modes, by degree
@@ -93,13 +111,13 @@ Surface surface_along(double poisson, std::size_t rows, const ContactPoints& poi
   return surface;
 }
 
-Body along(const Body& body, double poisson, const std::vector<Mode>& modes, const Poll& poll) {
-  const std::vector<ToroidalMode> toroidal = toroidal_modes(poisson, kept_cutoff(body), poll);
+Body along(const Body& body, double poisson, const Kept& kept, const Poll& poll) {
+  const std::vector<ToroidalMode> toroidal = kept.hole.toroidal_modes(poisson, kept_cutoff(body), poll);
   Body twin = body;
   twin.softness = softness_along(poisson);
   twin.stable_step = std::numeric_limits<double>::infinity();  // that of the body is smaller
-  twin.groups = groups_along(body.groups, toroidal);
-  const auto residual = std::make_shared<const ResidualAlong>(poisson, body.cutoff, modes, toroidal);
+  twin.groups = groups_along(body.groups, toroidal, std::sqrt(share_of_mass(kept.hole.inner())));
+  const auto residual = std::make_shared<const ResidualAlong>(poisson, body.cutoff, kept, toroidal, poll);
   std::size_t rows = 0;
   for (const ModeGroup& group : twin.groups) rows = std::max(rows, group.upper_row + 1);
   twin.surface = [poisson, rows](const ContactPoints& points) { return surface_along(poisson, rows, points); };
@@ -157,39 +175,45 @@ std::vector<ModeGroup> groups_outward(std::vector<ModeGroup> groups) {
 /// W and V of both components.
 class ResidualOutward {
  public:
-  ResidualOutward(double poisson, double cutoff, const std::vector<Mode>& kept)
-      : poisson_(poisson), highest_degree_(static_cast<int>(std::lround(8.0 * cutoff))), kept_(kept) {}
+  ResidualOutward(double poisson, double cutoff, const Kept& kept, const Poll& poll)
+      : poisson_(poisson),
+        excess_(kept.hole.excess(poll)),
+        highest_degree_(Residual::highest_order(cutoff, excess_)),
+        kept_(*kept.modes) {}
 
   [[nodiscard]] std::vector<double> compliance(const ContactPoints& points, const Poll& poll) const {
-    return sum_over_degrees({{poisson_, true, kept_.missing_compliance()}, false, {}, true}, points, poll);
+    return sum_over_degrees({{poisson_, true, kept_.missing_compliance(excess_)}, false, {}, true}, points, poll);
   }
 
   [[nodiscard]] std::vector<double> second_moment(const ContactPoints& points, const Poll& poll) const {
-    const auto whole = [this](int n) { return static_second_moment(poisson_, n); };
+    const auto whole = [this](int n) {
+      return static_second_moment(poisson_, n) + OrderExcess::at(excess_.second_moment, n);
+    };
     return sum_over_degrees({{poisson_, false, kept_.remaining_second_moment(highest_degree_, whole)}, false, {}, true},
                             points, poll);
   }
 
  private:
   double poisson_;
+  OrderExcess excess_;
   int highest_degree_;  // in the second moment
   KeptSums kept_;
 };
 
 }  // namespace
 
-Body outward(const Body& body, double poisson, const std::vector<Mode>& modes) {
+Body outward(const Body& body, double poisson, const Kept& kept, const Poll& poll) {
   Body twin = body;
   twin.components = 2;
   twin.groups = groups_outward(body.groups);
-  const std::size_t degrees = modes.empty() ? 0 : static_cast<std::size_t>(modes.back().order) + 2;
+  const std::size_t degrees = kept.modes->empty() ? 0 : static_cast<std::size_t>(kept.modes->back().order) + 2;
   twin.surface = [poisson, degrees](const ContactPoints& points) { return surface_outward(poisson, degrees, points); };
-  const auto residual = std::make_shared<const ResidualOutward>(poisson, body.cutoff, modes);
-  twin.residual_compliance = [residual](const ContactPoints& points, const Poll& poll) {
-    return residual->compliance(points, poll);
+  const auto residual = std::make_shared<const ResidualOutward>(poisson, body.cutoff, kept, poll);
+  twin.residual_compliance = [residual](const ContactPoints& points, const Poll& heed) {
+    return residual->compliance(points, heed);
   };
-  twin.residual_second_moment = [residual](const ContactPoints& points, const Poll& poll) {
-    return residual->second_moment(points, poll);
+  twin.residual_second_moment = [residual](const ContactPoints& points, const Poll& heed) {
+    return residual->second_moment(points, heed);
   };
   twin.along = nullptr;
   twin.outward = nullptr;
