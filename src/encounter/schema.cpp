@@ -144,6 +144,7 @@ Json modal_body() {
             {"compliance", in("m/N", number)},
             {"compliance_error", in("m/N", not_negative)},
             {"complete_to", in("Hz", positive)},
+            {"held", {{"type", "boolean"}, {"default", false}}},
             {"tangent", tangent},
             {"modes", modes}}},
           {"required", {"format", "mass", "curvature", "young", "poisson", "density", "compliance", "modes"}},
