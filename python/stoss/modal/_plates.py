@@ -123,6 +123,8 @@ def mesh_plate(gmsh: Any, plate: Plate, sizes: Any) -> None:
     geo.addVolume([geo.addSurfaceLoop([top, bottom, *sides[4:]])])
     geo.synchronize()
     gmsh.model.setPhysicalName(2, gmsh.model.addPhysicalGroup(2, sides[:4]), "edge")
+    centres = [entity for entity in gmsh.model.getEntities(0) if not len(gmsh.model.getAdjacencies(*entity)[0])]
+    gmsh.model.removeEntities(centres)  # of arcs, which would be nodes without a tetrahedron
     even = 12.0 * sizes.near
     x, y = (f"({name}-({value!r}))" for name, value in zip("xy", plate.at))
     grown = f"{sizes.near!r}+0.25*(Sqrt({x}^2+{y}^2+(z-{half!r})^2+{even!r}^2)-{even!r})"
