@@ -36,6 +36,7 @@ FILES = {
     "17_ring": ["ring.png"],
     "18_ball_drop_calibration": ["ball_drop.csv", "ball_drop.png", "ball_drop_below.txt", "ball_drop_force.txt"],
     "19_impact_echo": ["impact_echo.csv", "impact_echo.png"],
+    "21_bat_in_hands": ["bat_in_hands.png"],
 }
 
 
