@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the body files in this folder, those named or all:
-#   ./make.sh [sphere|hollow_sphere|bar|beam|plate|ring|bell|bat|coin]...
+#   ./make.sh [sphere|hollow_sphere|bar|beam|plate|ring|bell|bat|bat_held|coin]...
 # PYTHON is an interpreter that sees stoss and DOLFINx: that of `make modal-tools`.
 set -euo pipefail
 case ${1:-} in -h | --help) sed -n '2,4s/^# \?//p' "$0"; exit ;; esac
@@ -20,7 +20,7 @@ gmsh.model.mesh.generate(3)
 gmsh.write(sys.argv[2])' "$@"
 }
 
-for name in "${@:-sphere hollow_sphere bar beam plate ring bell bat coin}"; do
+for name in "${@:-sphere hollow_sphere bar beam plate ring bell bat bat_held coin}"; do
   for each in $name; do
     case $each in
       sphere)
@@ -64,6 +64,19 @@ for name in "${@:-sphere hollow_sphere bar beam plate ring bell bat coin}"; do
             --normal="$out,0,$along" --size 9 --size-at-point 2 --coarser 1.3 --modes 30 \
             --name "bat struck $z mm from its far end" -o "bat_$z.json"
         done ;;
+      bat_held) # the same, with its handle from 650 to 800 mm as a surface of its own
+        sed -e 's/^Spline(4) = .*/Spline(4) = {5, 6, 7, 8}; Spline(9) = {8, 9};/' -e 's/{1, 2, 3, 4, 5, 6, 7, 8};/{1, 2, 3, 4, 9, 5, 6, 7, 8};/' \
+          -e 's/Point{4, 6:8}/Point{4, 6:7}/' -e '$aPhysical Surface("grip") = Surface In BoundingBox{-13, -13, 649, 13, 13, 801};' \
+          bat.geo >"$work/bat_held.geo"
+        for z in 30 140 250; do
+          read -r x out along < <(awk -v z="$z" 'BEGIN { t = z - 110; r = sqrt(2000^2 - t^2)
+            printf "%.6f %.6f %g\n", 1967 - r, -r, t }')
+          for grip in "clamped --clamp grip" "hands --spring grip=3e4N/m"; do
+            body_of "$work/bat_held" --young 1.2e10 --poisson 0.3 --density 650 --point="$x,0,$z" \
+              --normal="$out,0,$along" --size 9 --size-at-point 2 --coarser 1.3 --modes 30 ${grip#* } \
+              --name "bat, ${grip%% *}, struck $z mm from its far end" -o "bat_${grip%% *}_$z.json"
+          done
+        done ;;
       coin)
         at() { body coin --size 1 --coarser 1.3 --modes 40 "$@"; }
         at --point=0,0,1 --normal=0,0,1 --size-at-point 0.15 --name "coin struck in the middle" \
@@ -72,7 +85,7 @@ for name in "${@:-sphere hollow_sphere bar beam plate ring bell bat coin}"; do
           --name "coin struck 9 mm from its middle" -o coin_9.json
         body coin --point=-12.5,0,0 --normal=-1,0,0 --size 1 --size-at-point 0.06 --modes 70 \
           --name "coin struck on its edge" -o coin_edge.json ;;
-      *) echo "make.sh: got '$each', allowed sphere, hollow_sphere, bar, beam, plate, ring, bell, bat, coin" >&2; exit 2 ;;
+      *) echo "make.sh: got '$each', allowed sphere, hollow_sphere, bar, beam, plate, ring, bell, bat, bat_held, coin" >&2; exit 2 ;;
     esac
   done
 done

@@ -74,7 +74,7 @@ double reduced(double first, double second) { return std::isinf(second) ? first 
 Contact contact(std::shared_ptr<const Body> body, const Wall& wall) {
   validate(*body);
   validate(wall);
-  if (is_unbounded(*body)) {
+  if (is_unbounded(*body) || body->held) {
     throw InvalidInput::conflict("body", "'" + short_name(*body) + "' cannot meet a wall, because it does not move",
                                  "let another body meet it");
   }

@@ -89,7 +89,7 @@ std::size_t shape_rows(const Body& body) {
 
 void require_ratios(const Body& first, const Body& second) {
   require_contours(first, second);
-  if (is_unbounded(first)) {
+  if (is_unbounded(first) || first.held) {
     throw InvalidInput::conflict("body",
                                  "'" + short_name(first) + "' cannot be the first body, because it does not move",
                                  "let the other body meet it");

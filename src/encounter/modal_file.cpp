@@ -103,11 +103,18 @@ ModalBody modal_body_from_json(std::string_view text, const std::string& where) 
   require_format(where + " format", object(where, given).value("format", Json()), modal_body_format);
   require_keys(where, given,
                {"format", "name", "origin", "mass", "rotation", "curvature", "young", "poisson", "density", "loss_time",
-                "compliance", "compliance_error", "complete_to", "tangent", "modes"});
+                "compliance", "compliance_error", "complete_to", "held", "tangent", "modes"});
   ModalBody body;
   if (given.contains("name")) body.name = line(where + " name", given["name"], longest_name);
   if (given.contains("origin")) body.origin = line(where + " origin", given["origin"], longest_origin);
   body.mass = needed(where, given, "mass");
+  if (given.contains("held")) {
+    if (!given["held"].is_boolean()) refuse(where + " held", given["held"], "true or false");
+    body.held = given["held"].get<bool>();
+  }
+  if (body.held && given.contains("rotation")) {
+    throw InvalidInput::conflict(where + " rotation", "of a body that is held", "it does not turn as a whole");
+  }
   read_rotation(where, given, body);
   read_curvature(where, given, body);
   for (const auto& [name, place] : std::array<std::pair<const char*, double*>, 4>{{{"young", &body.young},
@@ -163,6 +170,7 @@ std::string to_json(const ModalBody& body) {
   document["compliance"] = body.compliance;
   document["compliance_error"] = body.compliance_error;
   document["complete_to"] = body.complete_to / turn;
+  if (body.held) document["held"] = true;
   if (body.tangent) document["tangent"] = tangent_to_json(*body.tangent);
   document["modes"] = modes;
   return document.dump();

@@ -61,6 +61,7 @@ Json schema_of_modal_body() {
             {"compliance", in("m/N", number)},
             {"compliance_error", in("m/N", not_negative)},
             {"complete_to", in("Hz", positive)},
+            {"held", {{"type", "boolean"}, {"default", false}}},
             {"tangent", tangent},
             {"modes", modes}}},
           {"required", {"format", "mass", "curvature", "young", "poisson", "density", "compliance", "modes"}},

@@ -149,7 +149,7 @@ const NamedMaterial* named_of(const Participant& of) {
 }
 
 double inverse_mass_of_solid(const Participant& of) {
-  if (of.modal) return 1.0 / of.modal->mass;
+  if (of.modal) return of.modal->held ? 0.0 : 1.0 / of.modal->mass;
   const double curvature = 1.0 / given_or(of, "radius", std::numeric_limits<double>::infinity());
   return 3.0 / (4.0 * std::numbers::pi * of.material->density) * std::pow(curvature, 3) / share_of_mass(of);
 }

@@ -43,8 +43,8 @@ const Quantities<Impact>& impact_quantities() {
 }
 
 std::string note_of_staying() {
-  return "the body stays: the plate is infinite and never returns what it takes, so eps is 0; waves that come "
-         "back from the rim of a real one may throw the body off";
+  return "the body stays: the plate is infinite and never returns what it takes, so eps is 0; waves from the rim of "
+         "a real one may throw it off (python -m stoss.modal --plate)";
 }
 
 const Quantities<EnergyLedger>& ledger_quantities() {

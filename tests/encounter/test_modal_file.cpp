@@ -40,6 +40,21 @@ TEST(ModalFile, ReadsBackAsTheSameBody) {
   EXPECT_EQ(to_json(modal_body_from_json(to_json(same))), to_json(same));
 }
 
+TEST(ModalFile, KnowsWhetherABodyIsHeld) {
+  Json given = file();
+  EXPECT_FALSE(modal_body_from_json(given.dump()).held);
+  given["held"] = true;
+  const ModalBody body = modal_body_from_json(given.dump());
+  EXPECT_TRUE(body.held);
+  EXPECT_TRUE(modal_body_from_json(to_json(body)).held);
+  given["rotation"] = {{"inertia", {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}},
+                       {"point", {0.5, 0.0, 0.0}},
+                       {"normal", {0.0, 0.0, 2.0}}};
+  test::expect_refusal([&] { (void)modal_body_from_json(given.dump()); }, {"rotation", "held"});
+  given["held"] = 1;
+  test::expect_refusal([&] { (void)modal_body_from_json(given.dump()); }, {"held", "true or false"});
+}
+
 // A thin rod that is struck at its end, across: a quarter of its mass is felt.
 TEST(ModalFile, KnowsHowABodyTurns) {
   Json given = file();

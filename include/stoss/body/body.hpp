@@ -91,6 +91,7 @@ struct Body {
   BodyScale scale;   ///< of this body among others
   Contour contour = Contour::flat;
   double mass = 0.0;                  ///< of the body, and of every mode
+  bool held = false;                  ///< so that it does not move as a whole: its mass is only a very large number
   double extent = 0.0;                ///< distance from the centre of mass to the foremost point
   double curvature = 1.0;             ///< of its surface near the foremost point, 1/R
   double hole = 0.0;                  ///< radius of a concentric hole, whose shell gives waves back at once, R; 0: none

@@ -57,6 +57,8 @@ class ModalBody(Solid):
         compliance_error (float, optional): Error of c₀; 0.
         complete_to (float, optional): Frequency in Hz up to which no mode is missing; the highest.
         loss_time (float, optional): η of the whole body, s; 0.
+        held (bool, optional): Whether clamps or springs keep it from moving as a whole: its modes, from
+            the lowest on, carry all that the point does, and c₀ is that against what holds it; False.
         rotation (mapping, optional): Where the line of the blow misses the centre of mass: `inertia`
             about it, 3 × 3, kg m², `point` of contact from there, m, and its outward `normal`.
         tangent (mapping, optional): What friction along one direction asks of the body: `direction`, in
@@ -100,6 +102,7 @@ class ModalBody(Solid):
     compliance_error: float = 0.0
     complete_to: float | None = None
     loss_time: float = 0.0
+    held: bool = False
     rotation: Mapping[str, Any] | None = None
     tangent: Mapping[str, Any] | None = None
     tangential_displacement: NDArray[np.float64] | None = None
@@ -145,6 +148,9 @@ class ModalBody(Solid):
             if not isinstance(given, Mapping):
                 raise refusal(name, given, f"a mapping with {needs}")
             made[name] = {str(inner): _inner(name, str(inner), each) for inner, each in given.items()}
+        if not isinstance(self.held, (bool, np.bool_)):
+            raise refusal("held", self.held, "True or False")
+        made["held"] = bool(self.held)
         for name in ("name", "origin"):
             if not isinstance(getattr(self, name), str):
                 raise refusal(name, getattr(self, name), "a text")
@@ -179,6 +185,7 @@ class ModalBody(Solid):
         shape = list(self.curvature) if isinstance(self.curvature, tuple) else self.curvature
         modes = {name: getattr(self, name).tolist() for name in LISTS if getattr(self, name) is not None}
         known = {name: each for name, each in kept.items() if each is not None}
+        known |= {"held": True} if self.held else {}
         nested = {name: getattr(self, name) for name in ("rotation", "tangent") if getattr(self, name) is not None}
         plain = {name: {key: np.asarray(each).tolist() for key, each in its.items()} for name, its in nested.items()}
         return {"format": FORMAT, **known, "curvature": shape, **plain, "modes": modes}
@@ -231,6 +238,10 @@ class ModalBody(Solid):
         bodies[1]["modes"]["frequency"] = np.sort(self.frequency + np.asarray(self.frequency_error)).tolist()
         moved = self.displacement + np.copysign(np.asarray(self.displacement_error), self.displacement)
         bodies[2]["modes"]["displacement"] = moved.tolist()
+        if self.held:  # what the modes leave of c₀ stays
+            for each in bodies[1:]:
+                off, own = (np.asarray(its["displacement"]) / np.asarray(its["frequency"]) for its in (each["modes"], self.to_dict()["modes"]))
+                each["compliance"] += float(off @ off - own @ own) / (2.0 * np.pi) ** 2
         return tuple(_again(each, face_of(self)) for each in bodies)
 
     def with_face(self, **face: float) -> ModalBody:

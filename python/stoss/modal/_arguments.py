@@ -9,6 +9,8 @@ import re
 from typing import Any, Callable, NoReturn, Sequence
 
 from stoss._errors import InvalidInput
+from stoss.modal import _plates
+from stoss.modal._supports import add_options, supports_of
 
 WORDS = """The modes of a body and its compliance at one point of its surface, by finite elements.
 
@@ -42,21 +44,20 @@ def _parser() -> argparse.ArgumentParser:
                      formatter_class=argparse.RawDescriptionHelpFormatter)  # fmt: skip
     parser._negative_number_matcher = re.compile(r"^-[\d.]")  # --normal -1,0,0 is no option
     add = parser.add_argument
-    add("mesh", help="Gmsh mesh of tetrahedra (.msh), or a shape (.geo, .step, .brep)")
+    add("mesh", nargs="?", help="Gmsh mesh of tetrahedra (.msh), or a shape (.geo, .step, .brep)")
     add("coarse", nargs="?", help="a coarser mesh of the same body, for the errors")
     add("-o", "--output", required=True, metavar="FILE", help="what is written, JSON")
-    place: dict[str, Any] = {"required": True, "type": _numbers(3), "metavar": "X,Y,Z"}
+    place: dict[str, Any] = {"type": _numbers(3), "metavar": "X,Y,Z"}
     add("--point", **place, help="contact point, in the unit of the mesh")
     add("--normal", **place, help="outward normal of the surface there")
-    aside: dict[str, Any] = {**place, "required": False}
-    add("--tangent", **aside, help="direction of friction, along the surface: for oblique impacts")
+    add("--tangent", **place, help="direction of friction, along the surface: for oblique impacts")
     add("--unit", choices=UNITS, default="m", help="of mesh, point and sizes (default m)")
     add("--material", metavar="NAME", help="one of stoss.materials; or these three:")
     add("--young", type=float, metavar="PA", help="Young's modulus")
     add("--poisson", type=float, metavar="NU", help="Poisson's ratio")
     add("--density", type=float, metavar="KG/M3", help="density")
     add("--loss-time", type=float, metavar="S", help="of a Kelvin-Voigt material (default: none)")
-    add("--modes", type=int, default=50, metavar="N", help="at least so many (default 50)")
+    add("--modes", type=int, metavar="N", help="at least so many (default 50, of a plate 80)")
     add("--up-to", type=float, metavar="HZ", help="all modes up to this frequency instead")
     add("--curvature", type=_numbers(1, 2), metavar="K1,K2", help="default: the mesh's")
     add("--radius", type=float, metavar="R", help="one radius of curvature instead")
@@ -64,6 +65,8 @@ def _parser() -> argparse.ArgumentParser:
     add("--size-at-point", type=float, metavar="H", help="at the point (default: an eighth of it)")
     add("--coarser", type=float, default=1.4, metavar="Q", help="of the coarse mesh (1.4)")
     add("--errors-unknown", action="store_true", help="one mesh is enough")
+    _plates.add_options(parser)
+    add_options(parser)
     add("--name", help="of the body (default: that of the mesh)")
     return parser
 
@@ -71,9 +74,16 @@ def _parser() -> argparse.ArgumentParser:
 def parse(words: Sequence[str]) -> argparse.Namespace:
     """The arguments, checked as far as they go without a mesh; lengths are in m afterwards."""
     given = _parser().parse_args(words)
-    shape = given.mesh.lower().endswith(SHAPES)
     unit = UNITS[given.unit]
     given.scale = unit
+    given.shape = _plates.plate_of(given, unit)
+    if given.shape:
+        _take_plate(given, given.shape, unit)
+    for name in ("mesh", "point", "normal"):
+        if getattr(given, name) is None:
+            raise InvalidInput.missing(name, ": MESH --point X,Y,Z --normal X,Y,Z, or --plate LxWxH, or --disc DxH")
+    given.modes = given.modes if given.modes is not None else 50
+    shape = bool(given.shape) or given.mesh.lower().endswith(SHAPES)
     if math.hypot(*given.normal) == 0.0:
         raise InvalidInput.out_of_range("normal", "length 0", "any direction out of the body")
     if given.tangent is not None:
@@ -103,7 +113,20 @@ def parse(words: Sequence[str]) -> argparse.Namespace:
     elif given.curvature is not None:
         given.curvature = tuple(k / unit for k in given.curvature) * (3 - len(given.curvature))
     _material(given)
+    given.supports = supports_of(given)
+    if given.shape:
+        given.supports += _plates.support_of(given.shape, given.edge, given.young)
     return given
+
+
+def _take_plate(given: argparse.Namespace, plate: _plates.Plate, unit: float) -> None:
+    """The place, the curvature and the sizes of the mesh of a plate, in the unit of the other lengths."""
+    given.mesh, given.normal = str(plate), (0.0, 0.0, 1.0)
+    given.point = tuple(x / unit for x in (*plate.at, 0.5 * plate.thickness))
+    given.curvature, given.radius = (0.0, 0.0), None
+    given.modes = given.modes if given.modes is not None else 80
+    given.size = given.size or _plates.far_size(plate, max(given.modes, 1)) / unit
+    given.size_at_point = given.size_at_point or _plates.NEAR * plate.thickness / unit
 
 
 def _perpendicular(tangent: Sequence[float], normal: Sequence[float]) -> None:

@@ -59,11 +59,12 @@ class Pressure:
         return float(self.surface.mesh.comm.allreduce(fem.assemble_scalar(self._total), MPI.SUM))
 
     def compliance(self, radius: float) -> float:
-        """Twice its elastic energy in the body, whose inertia balances it."""
+        """Twice its elastic energy in the body, which its inertia balances, or what holds it."""
         total = self.total(radius)
         load = fem.petsc.assemble_vector(self._load)
         load.ghostUpdate(addv=PETSc.InsertMode.ADD, mode=PETSc.ScatterMode.REVERSE)
         load.scale(1.0 / total)
+        self.spectrum.body.unheld(load)
         self.spectrum.body.balance(load)
         return float(load.dot(self.spectrum.solve(load)))
 

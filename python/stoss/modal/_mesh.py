@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from stoss._errors import InvalidInput
 from stoss.modal._arguments import SHAPES
+from stoss.modal._plates import Plate, mesh_plate
 
 QUADRATIC = 11
 ORDERS = {4: 1, QUADRATIC: 2}
@@ -37,6 +38,7 @@ class Sizes:
     far: float
     near: float
     coarser: float = 1.0
+    plate: Plate | None = None
 
 
 def is_shape(path: str) -> bool:
@@ -45,41 +47,52 @@ def is_shape(path: str) -> bool:
 
 
 def load(
-    path: str, unit: float, point: Sequence[float], sizes: Sizes | None, comm: Any, thick: bool
-) -> tuple[Any, float]:
+    path: str, unit: float, point: Sequence[float], sizes: Sizes | None, comm: Any, thick: bool, names: Sequence[str]
+) -> tuple[Any, float, dict[str, NDArray[np.int32]]]:
     """The mesh of a file, spread over the processes, and the length in m by which it was divided.
+
+    And the facets of this process on each of the surfaces with these names.
 
     `unit` is that of the file's lengths, in m. From a shape a mesh of these `sizes` is made, which is
     fine at `point`, in m. `thick` refuses meshes that are mostly one tetrahedron thick.
     """
     wrong: InvalidInput | None = None
-    length = 1.0
+    length, entities = 1.0, dict[str, list[int]]()
     if comm.rank == 0:
         gmsh.initialize(["stoss.modal"], False)
         try:
             gmsh.option.setNumber("General.Terminal", 0)
-            length = _open(path, unit, point, sizes, thick)
+            length, entities = _open(path, unit, point, sizes, thick, names)
         except InvalidInput as error:
             wrong = error
         except Exception as error:  # what Gmsh raises
             wrong = InvalidInput.conflict(path, f"Gmsh cannot read or mesh it: {error}")
-    wrong, length = comm.bcast((wrong, length), root=0)
+    wrong, length, entities = comm.bcast((wrong, length, entities), root=0)
     try:
         if wrong:
             raise wrong
-        mesh, _, _ = gmshio.model_to_mesh(gmsh.model, comm, 0, gdim=3)
+        mesh, _, tags = gmshio.model_to_mesh(gmsh.model, comm, 0, gdim=3)
     finally:
         if comm.rank == 0:
             gmsh.finalize()
     mesh.geometry.x[:] /= length
-    return mesh, length * unit
+    surfaces = {name: tags.indices[np.isin(tags.values, its)] for name, its in entities.items()}
+    return mesh, length * unit, surfaces
 
 
-def _open(path: str, unit: float, point: Sequence[float], sizes: Sizes | None, thick: bool) -> float:
-    """Leaves in Gmsh one group of tetrahedra. Returns half the diagonal of the box around them."""
-    if not os.path.isfile(path):
+def _open(
+    path: str, unit: float, point: Sequence[float], sizes: Sizes | None, thick: bool, names: Sequence[str]
+) -> tuple[float, dict[str, list[int]]]:
+    """Leaves in Gmsh one group of tetrahedra, and one of each part of a surface with a name.
+
+    Returns half the diagonal of the box around them, and of which parts each surface is made.
+    """
+    if sizes is not None and sizes.plate is not None:
+        mesh_plate(gmsh, sizes.plate, sizes)
+    elif not os.path.isfile(path):
         raise InvalidInput.conflict(path, "no such file")
-    gmsh.open(path)
+    else:
+        gmsh.open(path)
     if is_shape(path):
         assert sizes is not None
         _generate(unit, point, sizes)
@@ -90,8 +103,11 @@ def _open(path: str, unit: float, point: Sequence[float], sizes: Sizes | None, t
         names = ", ".join(gmsh.model.mesh.getElementProperties(kind)[0] for kind in types)
         raise InvalidInput.out_of_range(path, names, "tetrahedra of one order, 1 or 2")
     gmsh.model.mesh.renumberNodes()
+    surfaces = _surfaces(names)
     gmsh.model.removePhysicalGroups()
     gmsh.model.addPhysicalGroup(3, [tag for _, tag in gmsh.model.getEntities(3)])
+    for part in sorted({part for parts in surfaces.values() for part in parts}):
+        gmsh.model.addPhysicalGroup(2, [part], part)
     corners = gmsh.model.mesh.getElementsByType(types[0])[1].reshape(-1, 4 if types[0] == 4 else 10)
     inverted = int(np.sum(_inverted(types[0])))
     if inverted:
@@ -108,7 +124,23 @@ def _open(path: str, unit: float, point: Sequence[float], sizes: Sizes | None, t
     x = np.reshape(x, (-1, 3))
     if thick:
         _refuse_thin(path, corners[:, :4].astype(np.int64), tags.astype(np.int64), x)
-    return 0.5 * float(np.linalg.norm(x.max(axis=0) - x.min(axis=0)))
+    return 0.5 * float(np.linalg.norm(x.max(axis=0) - x.min(axis=0))), surfaces
+
+
+def _surfaces(names: Sequence[str]) -> dict[str, list[int]]:
+    """The parts of which surfaces with these names are made, or these numbers."""
+    groups: dict[str, list[int]] = {}
+    for _, tag in gmsh.model.getPhysicalGroups(2):
+        parts = [int(part) for part in gmsh.model.getEntitiesForPhysicalGroup(2, tag)]
+        meshed = [part for part in parts if len(gmsh.model.mesh.getElements(2, part)[1])]
+        groups[gmsh.model.getPhysicalName(2, tag) or str(tag)] = meshed
+    for name in names:
+        if not groups.get(name):
+            allowed = ", ".join(f"'{each}'" for each, parts in sorted(groups.items()) if parts)
+            raise InvalidInput.out_of_range(
+                "surface", f"'{name}'", allowed or "none, as the file names none", "Physical Surface(\"grip\") = {…}; in Gmsh"
+            )
+    return {name: groups[name] for name in names}
 
 
 def _refuse_thin(path: str, corners: NDArray[np.int64], tags: NDArray[np.int64], x: NDArray[np.float64]) -> None:

@@ -67,9 +67,10 @@ class Spectrum:
         Returns ω, the displacement along the normal at the point, and half its mean curvature; and
         both along the tangent, if there is one.
         """
-        wanted = count + 6 + max(4, count // 10)
+        free = len(self.body.rigid)
+        wanted = count + free + max(4, count // 10)
         self.solver.setDimensions(wanted, PETSc.DECIDE, PETSc.DECIDE)
-        self.solver.setMonitor(lambda eps, step, done, *_: progress(min(max(done - 6, 0), count)))
+        self.solver.setMonitor(lambda eps, step, done, *_: progress(min(max(done - free, 0), count)))
         self.solver.solve()
         self.solver.cancelMonitor()
         found = self.solver.getConverged()
@@ -77,16 +78,33 @@ class Spectrum:
             raise NotConverged(f"modes: only {found} of {wanted} converged")
         return self._at_point(found, count, surface)
 
+    def set_apart(self, count: int) -> None:
+        """Takes the lowest modes of a body that is held from static loads, as rigid motions are from those of others.
+
+        They have nearly all of its compliance, in which that of the point would drown.
+        """
+        values = np.array([self.solver.getEigenvalue(i).real for i in range(self.solver.getConverged())])
+        for i in np.argsort(values)[:count]:
+            vector = self.body.vector()
+            self.solver.getEigenvector(int(i), vector)
+            vector.scale(1.0 / np.sqrt(vector.dot(self.body.mass * vector)))
+            self.body.rigid.append(vector)
+
     def _at_point(self, found: int, count: int, surface: Surface) -> dict[str, Vector]:
         values = np.array([self.solver.getEigenvalue(i).real for i in range(found)])
         order = np.argsort(values)
         values = values[order]
-        rigid = int(np.sum(np.abs(values) < RIGID))
-        if rigid != 6:
+        free, rigid = len(self.body.rigid), int(np.sum(np.abs(values) < RIGID))
+        if free and rigid != free:
             raise InvalidInput.conflict("mesh", f"{rigid} rigid motions, must be 6: does it hang together?")
+        if rigid > free:
+            raise InvalidInput.conflict(
+                "held", f"the body can still move as a whole in {rigid} way{'s' * (rigid > 1)}, or springs are too soft",
+                "springs along both directions, SURFACE=KN,KT, stiffer ones, or a second surface",
+            )  # fmt: skip
         # The last ones may have others of the same frequency behind them.
-        gaps = np.diff(np.sqrt(values[6:]))[count - 1 :]
-        end = 6 + count + int(np.argmax(gaps))
+        gaps = np.diff(np.sqrt(values[free:]))[count - 1 :]
+        end = free + count + int(np.argmax(gaps))
         below = self.below(0.5 * (values[end - 1] + values[end]))
         if below != end:
             raise NotConverged(f"modes: found {end} of {below} below a frequency")
@@ -94,13 +112,13 @@ class Spectrum:
         axes = {"": surface.normal}
         if surface.tangent is not None:
             axes["tangential_"] = surface.tangent
-        rows, vector = np.empty((len(axes), end - 6, len(nodes))), self.body.vector()
-        for k, i in enumerate(order[6:end]):
+        rows, vector = np.empty((len(axes), end - free, len(nodes))), self.body.vector()
+        for k, i in enumerate(order[free:end]):
             self.solver.getEigenvector(i, vector)
             norm = np.sqrt(vector.dot(self.body.mass * vector))
             for row, axis in zip(rows, axes.values()):
                 row[k] = vector.array.reshape(-1, 3)[nodes] @ axis / norm
-        result = {"omega": np.sqrt(values[6:end])}
+        result = {"omega": np.sqrt(values[free:end])}
         for prefix, moved in zip(axes, self.body.mesh.comm.allreduce(rows @ weights.T)):
             result[f"{prefix}displacement"] = moved[:, 0]
             result[f"{prefix}displacement_curvature"] = moved[:, 1]

@@ -75,4 +75,4 @@ def _plain(value: Any) -> Any:
         return {name: _plain(each) for name, each in value.items()}
     if isinstance(value, (list, tuple, np.ndarray)):
         return [_plain(each) for each in value]
-    return value if isinstance(value, (str, int)) else float(f"{float(value):.{DIGITS}g}")
+    return value if isinstance(value, (str, int, bool)) else float(f"{float(value):.{DIGITS}g}")

@@ -17,10 +17,11 @@ from stoss import __version__
 from stoss._errors import InvalidInput
 from stoss.modal._progress import Progress, write
 from stoss.modal._compliance import compliance
-from stoss.modal._elasticity import Elasticity
+from stoss.modal._elasticity import Elasticity, Held
 from stoss.modal._mesh import Sizes, is_shape, load
 from stoss.modal._modes import Spectrum
 from stoss.modal._spectra import merged
+from stoss.modal._supports import holds
 from stoss.modal._surface import Surface
 
 
@@ -29,8 +30,8 @@ def run(given: argparse.Namespace) -> None:
     comm = MPI.COMM_WORLD
     progress = Progress(given.output + ".part", _key(given), comm.rank == 0)
     meshes: list[tuple[str, Sizes | None]] = [(given.mesh, None)]
-    if is_shape(given.mesh):
-        sizes = Sizes(given.size, given.size_at_point)
+    if given.shape or is_shape(given.mesh):
+        sizes = Sizes(given.size, given.size_at_point, plate=given.shape)
         meshes = [(given.mesh, sizes)]
         if not given.errors_unknown:
             meshes.append((given.mesh, dataclasses.replace(sizes, coarser=given.coarser)))
@@ -62,12 +63,13 @@ def _solve(
         return known
     progress.say(f"{kind}mesh: {path}", lasting=False)
     thick = index == 0 and bool(given.coarse or not given.errors_unknown)
-    mesh, length = load(path, given.scale, given.point, sizes, comm, thick)
+    names = sorted({each.surface for each in given.supports})
+    mesh, length, surfaces = load(path, 1.0 if given.shape else given.scale, given.point, sizes, comm, thick, names)
     surface = Surface(mesh, length, given.point, given.normal, given.tangent)
     curvature = given.curvature or tuple(k / length for k in surface.curvature)
     if min(curvature) < 0.0:
         raise InvalidInput.out_of_range("curvature", f"{min(curvature):.4g} 1/m, a hollow", "0 or more", "--curvature")
-    body = Elasticity(mesh, given.poisson)
+    body = Elasticity(mesh, given.poisson, _held(given, surfaces, length, surface))
     unknowns, tetrahedra = body.mass.getSize()[0], mesh.topology.index_map(3).size_global
     progress.say(f"{kind}mesh: {tetrahedra} tetrahedra, {unknowns} unknowns")
     if finer and given.coarse and _ratio(finer["tetrahedra"], tetrahedra) < 1.1:
@@ -75,27 +77,25 @@ def _solve(
         raise InvalidInput.conflict(path, f"has {tetrahedra} tetrahedra, allowed at most {most}")
     spectrum = Spectrum(body)
     speed, weight = math.sqrt(given.young / given.density), given.density * length**3
-    if known is None:
+    mean = 0.5 * sum(curvature) * length
+    widest = finer["widest"] / length if finer else None
+
+    def static() -> dict[str, Any]:
         progress.say(f"{kind}mesh: compliance", lasting=False)
-        mean = 0.5 * sum(curvature) * length
-        widest = finer["widest"] / length if finer else None
-        static = compliance(spectrum, surface, given.poisson, mean, widest)
-        soft = 1.0 / (given.young * length)
+        return _static(given, spectrum, surface, mean, widest)
+
+    if known is None:
         known = {
             "tetrahedra": tetrahedra, "unknowns": unknowns, "curvature": curvature,
-            "volume": body.volume * length**3,
             "mass": body.volume * weight, "inertia": (body.inertia * weight * length**2).tolist(),
-            "centre": (body.centre * length).tolist(), "compliance": static["c0"] * soft,
-            "reach": static["reach"] * soft, "widest": static["widest"] * length,
+            "centre": (body.centre * length).tolist(),
         }  # fmt: skip
-        if given.tangent:
-            aside = compliance(spectrum, surface, given.poisson, mean, static["widest"], along=True)
-            known["tangential_compliance"] = aside["c0"] * soft
-            known["tangential_reach"] = aside["reach"] * soft
-        progress.keep(str(index), known)
+        if not holds(given.supports):
+            known |= static()
+            progress.keep(str(index), known)
     count = given.modes
     if given.up_to:
-        count = spectrum.below((2.0 * math.pi * given.up_to * length / speed) ** 2) - 6
+        count = spectrum.below((2.0 * math.pi * given.up_to * length / speed) ** 2) - len(body.rigid)
         if count < 1:
             raise InvalidInput.out_of_range("up-to", f"{given.up_to} Hz", "a higher one", "no elastic mode is below it")
     progress.say(f"{kind}mesh: {count} modes", lasting=False)
@@ -105,14 +105,33 @@ def _solve(
     for name, moved in modes.items():
         unit = math.sqrt(weight) * (length**2 if name.endswith("_curvature") else 1.0)
         known["modes"][name] = (moved / unit).tolist()
+    if holds(given.supports):
+        apart = min(6, len(frequency))
+        spectrum.set_apart(apart)
+        known |= static()
+        for prefix in ("", "tangential_") if given.tangent else ("",):
+            known[f"{prefix}compliance"] += _share(_arrays(known["modes"]), prefix, apart)
     progress.keep(str(index), known)
     progress.say(f"{kind}mesh: {len(frequency)} modes and the compliance")
     return known
 
 
+def _held(given: argparse.Namespace, surfaces: Any, length: float, surface: Surface) -> list[Held]:
+    """What holds the body, in units with E = ρ = 1. Refuses a contact on what is held."""
+    comm, found = MPI.COMM_WORLD, []
+    stiffness, weight = given.young * length, given.density * length**3
+    for each in given.supports:
+        facets = surfaces[each.surface]
+        if comm.allreduce(len(np.intersect1d(facets, surface.facets))):
+            raise InvalidInput.conflict("point", f"it lies on '{each.surface}', or beside it: {each}", "another point")
+        unit = stiffness / length**2 if each.each else stiffness
+        found.append(Held(facets, each.normal / unit, each.tangential / unit, each.mass / weight, each.each))
+    return found
+
+
 def _body(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]:
     """The keys of the file."""
-    growth = 1.0
+    growth, held = 1.0, holds(given.supports)
     if coarse is not None:
         ratio = given.coarser
         if given.coarse is not None:
@@ -128,38 +147,62 @@ def _body(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]:
     ]
     files = " and ".join(os.path.basename(each) for each in (given.mesh, given.coarse) if each)
 
-    def error(prefix: str) -> float:
-        reach = float(fine[f"{prefix}reach"])
-        if coarse is None:
-            return reach
-        name = f"{prefix}compliance"
-        return reach + growth * abs(float(fine[name]) - float(coarse[name]))
+    def statics(prefix: str) -> dict[str, float]:
+        """The compliance and its error. Of a body that is held it is that of what its modes leave of it."""
+        values = [float(each[f"{prefix}compliance"]) for each in (fine, coarse) if each]
+        if held:
+            count = int(np.sum(both[0]["frequency"] <= complete))
+            values = [value - _share(each, prefix, count) for value, each in zip(values, both)]
+        whole = _share(modes, prefix, len(modes["frequency"])) if held else 0.0
+        off = growth * abs(values[0] - values[-1])
+        return {"compliance": values[0] + whole, "compliance_error": float(fine[f"{prefix}reach"]) + off}
 
     normal = np.asarray(given.normal) / np.linalg.norm(given.normal)
+    motion: dict[str, Any] = {"held": True}
+    if not held:
+        arm = _rounded(np.asarray(given.point) - np.asarray(fine["centre"]))
+        motion = {"rotation": {"inertia": _rounded(fine["inertia"]), "point": arm, "normal": normal}}
     body = {
-        "name": given.name or os.path.splitext(os.path.basename(given.mesh))[0],
+        "name": given.name or (str(given.shape) if given.shape else os.path.splitext(os.path.basename(given.mesh))[0]),
         "origin": f"stoss.modal {__version__}, DOLFINx {cpp.__version__}: {files}, "
         + ", ".join(meshes)
+        + "".join(f", {each}" for each in given.supports)
         + ("" if coarse else "; errors of the mesh are unknown"),
         "mass": fine["mass"],
-        "rotation": {
-            "inertia": _rounded(fine["inertia"]),
-            "point": _rounded(np.asarray(given.point) - np.asarray(fine["centre"])),
-            "normal": normal,
-        },
+        **motion,
         "curvature": fine["curvature"],
         "young": given.young, "poisson": given.poisson, "density": given.density,
-        "compliance": fine["compliance"], "compliance_error": error(""),
+        **statics(""),
         "complete_to": complete,
         "modes": modes,
     }  # fmt: skip
     if given.tangent:
         body["tangent"] = {
             "direction": np.asarray(given.tangent) / np.linalg.norm(given.tangent),
-            "compliance": fine["tangential_compliance"],
-            "compliance_error": error("tangential_"),
+            **statics("tangential_"),
+            **({"inertia": 0.0, "arm": 0.0} if held else {}),
         }
     return body | ({"loss_time": given.loss_time} if given.loss_time else {})
+
+
+def _static(
+    given: argparse.Namespace, spectrum: Spectrum, surface: Surface, curvature: float, widest: Any
+) -> dict[str, Any]:
+    """The compliances at the point, in SI, with how far they reach."""
+    length = surface.length
+    soft = 1.0 / (given.young * length)
+    found = compliance(spectrum, surface, given.poisson, curvature, widest)
+    its = {"compliance": found["c0"] * soft, "reach": found["reach"] * soft, "widest": found["widest"] * length}
+    if given.tangent:
+        aside = compliance(spectrum, surface, given.poisson, curvature, found["widest"], along=True)
+        its |= {"tangential_compliance": aside["c0"] * soft, "tangential_reach": aside["reach"] * soft}
+    return its
+
+
+def _share(modes: dict[str, Any], prefix: str, count: int) -> float:
+    """What the lowest modes have of the compliance: of a slender body that is held nearly all."""
+    moved = modes[f"{prefix}displacement"][:count] / (2.0 * math.pi * modes["frequency"][:count])
+    return float(moved @ moved)
 
 
 def _rounded(values: Any) -> Any:

@@ -23,6 +23,19 @@ ModalBody with_modes(const ModalBody& its, const Change& change) {
   return other;
 }
 
+/// What the modes of a body have of its compliance c₀.
+double share_of_modes(const ModalBody& its) {
+  double sum = 0.0;
+  for (const PointMode& mode : its.modes) sum += std::pow(mode.displacement / mode.omega, 2);
+  return sum;
+}
+
+/// Of a body that is held the lowest modes have nearly all of c₀, and err with it: what they leave of it stays.
+ModalBody with_rest_kept(const ModalBody& its, ModalBody other) {
+  if (its.held) other.compliance += share_of_modes(other) - share_of_modes(its);
+  return other;
+}
+
 bool any(const ModalBody& its, double PointMode::*value) {
   return std::any_of(its.modes.begin(), its.modes.end(), [value](const PointMode& mode) { return mode.*value != 0.0; });
 }
@@ -36,11 +49,13 @@ Alternatives alternatives(const ModalBody& its, double other) {
     all.errors.back().compliance += its.compliance_error;
   }
   if (any(its, &PointMode::omega_error)) {
-    all.errors.push_back(with_modes(its, [](PointMode& mode) { mode.omega += mode.omega_error; }));
+    all.errors.push_back(with_rest_kept(its, with_modes(its, [](PointMode& mode) { mode.omega += mode.omega_error; })));
   }
   if (any(its, &PointMode::displacement_error)) {
-    all.errors.push_back(with_modes(
-        its, [](PointMode& mode) { mode.displacement += std::copysign(mode.displacement_error, mode.displacement); }));
+    all.errors.push_back(with_rest_kept(its, with_modes(its, [](PointMode& mode) {
+                                          mode.displacement +=
+                                              std::copysign(mode.displacement_error, mode.displacement);
+                                        })));
   }
   if (!its.has_bends) {  // as of Rayleigh waves of their frequency
     const double bend = bend_of_waves(its);

@@ -93,7 +93,8 @@ Validity knowledge_of(const ModalBody& its, double cutoff, const PointModes& mod
 void set_rigid_motion(const ModalBody& its, Body& body) {
   if (!its.tangent) return;
   const double length = own_length(its), mass = its.density * length * length * length;
-  body.mass_along = its.tangent->mass / mass;
+  body.mass_along = its.held ? body.mass : its.tangent->mass / mass;
+  if (its.held) return;
   if (its.tangent->inertia == 0.0) return;
   body.inertia = its.tangent->inertia / (mass * length * length);
   body.extent = its.tangent->arm / length;
@@ -105,7 +106,8 @@ Body made(const ModalBody& its, double cutoff, Numbers numbers, const Unevenness
   const PointSurroundings near{its.poisson, its.curvature == 0.0};
   Body body;
   body.name = its.name;
-  body.scale = {length, wave_speed(its), its.mass};
+  body.scale = {length, wave_speed(its), modal::moving_mass(its)};
+  body.held = its.held;
   body.contour = Contour::ball;
   body.mass = modes.mass;
   body.extent = 1.0;

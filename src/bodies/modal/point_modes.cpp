@@ -66,10 +66,15 @@ double sphere_constant_along(double poisson) {
 
 double wave_speed(const ModalBody& body) { return std::sqrt(body.young / body.density); }
 
+double moving_mass(const ModalBody& body) {
+  constexpr double immovable = 1e12;
+  return body.held ? immovable * body.mass : body.mass;
+}
+
 PointModes point_modes(const ModalBody& body, double cutoff) {
   const double length = own_length(body), frequency = wave_speed(body) / length;
-  const double root = std::sqrt(body.mass);
-  PointModes its{body.mass / (body.density * length * length * length),
+  const double mass = moving_mass(body), root = std::sqrt(mass);
+  PointModes its{mass / (body.density * length * length * length),
                  body.compliance * body.young * length,
                  body.tangent ? body.tangent->compliance * body.young * length : 0.0,
                  {}};

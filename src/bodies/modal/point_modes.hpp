@@ -33,6 +33,9 @@ struct KeptMode {
   double tangential_bend;  ///< χ_t
 };
 
+/// m, or of a held body one so large that no impact moves it: 1e12 of its own.
+[[nodiscard]] double moving_mass(const ModalBody& body);
+
 /// A body as its contact sees it, in units own_length = c = ρ = 1.
 struct PointModes {
   double mass;            ///< m

@@ -12,6 +12,7 @@
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/restitution/curve.hpp"
 #include "support/modal_sphere.hpp"
+#include "support/refusal.hpp"
 
 namespace stoss {
 namespace modal_bodies {
@@ -159,6 +160,36 @@ TEST(ModalBody, OfAPlaneSurfaceIsStruckByASphere) {
   const Restitution half = value_of(RefinableContact(sphere(0.3), half_space(HalfSpace{0.3})), 1e-3);
   EXPECT_NEAR(found.contact_time.value, half.contact_time.value, 0.02 * half.contact_time.value);
   EXPECT_NEAR(found.max_force.value, half.max_force.value, 0.04 * half.max_force.value);
+}
+
+/// A body on a spring so soft that it moves as if it were free: rigid motion is its lowest mode.
+ModalBody on_a_soft_spring(ModalBody body, double omega) {
+  const double displacement = 1.0 / std::sqrt(body.mass);
+  body.held = true;
+  body.compliance += std::pow(displacement / omega, 2);
+  body.modes.insert(body.modes.begin(), {omega, displacement});
+  return body;
+}
+
+// The ball comes back as fast from both; ε of the free body is that of velocities of both, u' = (ε − r)/(1 + r).
+TEST(ModalBody, OnASoftSpringIsAFreeOne) {
+  for (const double radius : {0.3, 0.6}) {
+    const ModalBody body = test::modal_sphere(0.3, 12.0);
+    const BodyMaker ball = sphere(Sphere{0.3, radius});
+    const double ratio = std::pow(radius, 3);
+    const Estimate free = value_of(RefinableContact(ball, modal_body(body)), 1e-3).restitution;
+    const Estimate held = value_of(RefinableContact(ball, modal_body(on_a_soft_spring(body, 1e-3))), 1e-3).restitution;
+    EXPECT_NEAR(held.value, (free.value - ratio) / (1.0 + ratio), held.error + free.error) << radius;
+    EXPECT_NEAR(held.value, (free.value - ratio) / (1.0 + ratio), 2e-3) << radius;
+  }
+}
+
+TEST(ModalBody, ThatIsHeldDoesNotMove) {
+  const ModalBody held = on_a_soft_spring(test::modal_sphere(0.3, 8.0), 0.1);
+  const std::vector<std::string> said{"cannot", "does not move", "let another body meet it"};
+  test::expect_refusal([&] { (void)value_of(RefinableContact(modal_body(held)), 1e-3); }, said);
+  test::expect_refusal([&] { (void)value_of(RefinableContact(modal_body(held), sphere(0.3)), 1e-3); },
+                       {"cannot be the first body"});
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ FILES = {
     "18_ball_drop_calibration": ["ball_drop.csv", "ball_drop.png", "ball_drop_below.txt", "ball_drop_force.txt"],
     "19_impact_echo": ["impact_echo.csv", "impact_echo.png"],
     "20_table_tennis_ball": ["table_tennis_ball.csv", "table_tennis_ball.png"],
+    "21_bat_in_hands": ["bat_in_hands.png"],
     "24_leeb_hardness": ["leeb.csv", "leeb.png"],
 }
 
