@@ -43,7 +43,7 @@ const Language& language_js() {
                 {"flag", "const $"},
                 {"later_numbers", "let $"},
                 {"later_whole", "let $"},
-                {"weights", "const w = Array.from({ length: $ }, () => [0.0, 0.0, 0.0]);\n  const k = []"},
+                {"weights", "const w = [], k = [];\n  for (let i = 0; i < $; ++i) w[i] = [0.0, 0.0, 0.0]"},
                 {"found", "const found = []"},
                 {"if", "if ("},
                 {"while", "while ("},

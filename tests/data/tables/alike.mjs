@@ -83,8 +83,8 @@ function alike_pair_sum_2(a, next, line, w, y) {
 }
 
 function alike_pair_look_up(x, z, p, found) {
-  const w = Array.from({ length: 2 }, () => [0.0, 0.0, 0.0]);
-  const k = [];
+  const w = [], k = [];
+  for (let i = 0; i < 2; ++i) w[i] = [0.0, 0.0, 0.0];
   k[0] = alike_pair_weigh(alike_pair_restitution_speeds, alike_pair_restitution_speeds_first, 5, 1.6690410034766705, x, w[0]);
   k[1] = alike_pair_weigh(alike_pair_restitution_ratios, alike_pair_restitution_ratios_first, 2, 4.0, p, w[1]);
   found[0] = alike_pair_sum_2(alike_pair_restitution_nodes.subarray((k[0] * 12 + k[1] * 4)), 12, 4, w[0], w[1]);

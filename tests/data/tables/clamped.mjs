@@ -64,8 +64,8 @@ function clamped_sum_1(a, next, w) {
 }
 
 function clamped_look_up(x, z, p, found) {
-  const w = Array.from({ length: 1 }, () => [0.0, 0.0, 0.0]);
-  const k = [];
+  const w = [], k = [];
+  for (let i = 0; i < 1; ++i) w[i] = [0.0, 0.0, 0.0];
   k[0] = clamped_weigh(clamped_restitution_speeds, clamped_restitution_speeds_first, 10, 1.2490058588372874, x, w[0]);
   found[0] = clamped_sum_1(clamped_restitution_nodes.subarray((k[0] * 2)), 2, w[0]);
   found[1] = clamped_restitution_errors[k[0] * 1];
