@@ -20,6 +20,15 @@
 namespace stoss::cli {
 namespace {
 
+bool is_code(const std::string& format) { return format == "c" || format == "rust" || format == "js"; }
+
+template <typename Table>
+std::string code(const TableArguments& arguments, const TableJob& job, const Table& table) {
+  const TableLabel its = label(arguments, job);
+  if (arguments.format == "rust") return rust_module(table, its);
+  return arguments.format == "js" ? js_module(table, its) : c_header(table, its);
+}
+
 void check_format(const TableArguments& arguments) {
   for (const std::string option : {"tolerance", "friction"}) {
     if (arguments.oblique || !given(*arguments.command, "--" + option)) continue;
@@ -40,9 +49,13 @@ void check_format(const TableArguments& arguments) {
     throw InvalidInput::out_of_range(fmt::format("{}", option), fmt::format("--{} with --format {}", option, format),
                                      fmt::format("only with {}", allowed));
   };
-  require("name", format == "c", "--format c");
-  require("ratio", format != "two-column", "c, json and, with --oblique, netcdf");
-  require("beyond", format == "c" || format == "json", "c and json (who reads the values decides)");
+  if (arguments.oblique && (format == "rust" || format == "js")) {
+    throw InvalidInput::out_of_range("format", fmt::format("{} with --oblique", format),
+                                     "c, two-column, json or netcdf", "the whole collision rule is not written in it");
+  }
+  require("name", is_code(format), "--format c, rust or js");
+  require("ratio", format != "two-column", "c, rust, js, json and, with --oblique, netcdf");
+  require("beyond", is_code(format) || format == "json", "c, rust, js and json (who reads the values decides)");
 }
 
 TableJob make_job(const TableArguments& arguments) {
@@ -85,7 +98,7 @@ std::string text_of_function(const TableArguments& arguments, TableJob& job) {
   };
   const RestitutionFunction function = computed();
   if (arguments.format == "json") return as_json(arguments, job, function);
-  if (arguments.format == "c") return c_header(function, label(arguments, job));
+  if (is_code(arguments.format)) return code(arguments, job, function);
   return two_column(function, arguments.error, job.unit);
 }
 
@@ -96,7 +109,7 @@ std::string text_of_pairs(const TableArguments& arguments, const TableJob& job) 
                                       .beyond = beyond(arguments),
                                       .threads = arguments.threads,
                                       .poll = waiting(arguments.output, "table")});
-  return arguments.format == "c" ? c_header(table, label(arguments, job)) : as_json(arguments, job, table);
+  return is_code(arguments.format) ? code(arguments, job, table) : as_json(arguments, job, table);
 }
 
 /// As headers say it: rounded up to two digits.
@@ -123,7 +136,7 @@ void warn(const TableArguments& arguments, const TableJob& job) {
 void run(const TableArguments& arguments) {
   check_format(arguments);
   TableJob job = make_job(arguments);
-  if (arguments.format == "c") validate(TableLabel{.name = arguments.name, .scale = job.unit});
+  if (is_code(arguments.format)) validate(TableLabel{.name = arguments.name, .scale = job.unit});
   if (arguments.format == "netcdf") write_netcdf_of_rule(arguments, job);
   Output output(arguments.output.path);
   catch_interrupts();
@@ -140,16 +153,17 @@ void add_form(CLI::App& command, TableArguments& arguments) {
   add_input(command, Question::table, "error", arguments.error, "Resolution");
   add_input(command, Question::table, "tolerance", arguments.tolerance, "Resolution");
   add_threads(command, arguments.threads);
-  add_choice(command, "--format", arguments.format, {"c", "two-column", "json", "netcdf"},
+  add_choice(command, "--format", arguments.format, {"c", "rust", "js", "two-column", "json", "netcdf"},
              "Form of the table (default: c)\n"
              "  c:          a header in C89 and C++, of plain functions\n"
+             "  rust, js:   the same functions as a module, not with --oblique\n"
              "  two-column: speed and eps, to be interpolated linearly in the speed;\n"
              "              with --oblique, at one speed: s/(MU v) and the same of s\n"
              "              after the collision, s the velocity of sliding\n"
              "  json:       computed values, slopes and errors\n"
              "  netcdf:     with --oblique: values and errors on their grid",
              "FORM", "Output");
-  add(command, "--name", arguments.name, "Prefix of the names in C (default: stoss)", "NAME", "Output");
+  add(command, "--name", arguments.name, "Prefix of the names in code (default: stoss)", "NAME", "Output");
   add_choice(command, "--beyond", arguments.beyond, {"clamp", "error"},
              "What the table gives beyond its range (default: clamp)\n"
              "  clamp: the value at the nearer end, with an infinite error\n"

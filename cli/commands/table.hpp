@@ -46,7 +46,7 @@ struct TableJob {
 
 [[nodiscard]] Beyond beyond(const TableArguments& arguments);
 
-/// What a header in C says of itself.
+/// What a table as code says of itself.
 [[nodiscard]] TableLabel label(const TableArguments& arguments, const TableJob& job);
 
 /// What all kinds of table have besides their records. @param between how values between the knots are to be had

@@ -1,4 +1,4 @@
-// A function of the speed, and one of the ratio of radii as well: the same functions in C, with one more argument.
+// A function of the speed, and one of the ratio of radii as well: the same functions, with one more argument.
 #include "stoss/table/c_source.hpp"
 
 #include <cstddef>
@@ -18,18 +18,17 @@ namespace stoss {
 namespace {
 
 constexpr std::string_view at = R"(
-/* Restitution and its error; what is not a number where the table says nothing. */
-@NAME@_FUNCTION void @name@_at(double speed@ratio@, double *found)
-{
-  double v = fabs(speed), p = @place@;
-  const int inside = v >= @NAME@_SLOWEST && v <= @NAME@_FASTEST@inside@;
-  if (!inside) {
-    found[0] = found[1] = HUGE_VAL - HUGE_VAL;
-    if (!(v >= 0.0)@unknown@) return;
-    found[1] = HUGE_VAL;
+@comment@Restitution and its error; what is not a number where the table says nothing.@done@
+@function:at@(@number:speed@@ratio@, @out:found@)@gives_nothing@
+  @variable:v@ = @absolute@speed)@also_variable:p@ = @place@;
+  @flag:inside@ = v >= @NAME@_SLOWEST && v <= @NAME@_FASTEST@inside@;
+  @if@!inside@block@
+    @both_nan@;
+    @if@!(v >= 0.0)@unknown@@then@return;@end@
+    found[1] = @infinity@;
 @outside@  }
-  @name@_look_up(log(v), 0.0, p, found);
-  if (!inside) found[1] = HUGE_VAL;
+  @name@_look_up(@log@v), 0.0, p, found);
+  @if@!inside@then@found[1] = @infinity@;@end@
 }
 )";
 
@@ -45,7 +44,7 @@ std::vector<std::string> comment(const RestitutionFunction& function, const Tabl
       "",
       "Speeds go from @NAME@_SLOWEST to @NAME@_FASTEST. Beyond, the coefficient is " +
           std::string(clamps ? "that at the nearer end," : "not a number,"),
-      "and its error HUGE_VAL. NaN gives NaN.",
+      "and its error @infinity@. NaN gives NaN.",
       "",
       "A cubic in ln v, monotone where the values are, between values computed at " +
           std::to_string(function.values().speeds.size()) + " speeds.",
@@ -73,36 +72,49 @@ std::vector<std::string> comment(const PairTable& pairs, const TableLabel& label
       "r is the radius of the second body over that of the first" + inverse + ".",
       "Speeds go from @NAME@_SLOWEST to @NAME@_FASTEST, ratios from @NAME@_SMALLEST to @NAME@_GREATEST.",
       "Beyond, the coefficient is " + std::string(clamps ? "that at the nearer end," : "not a number,") +
-          " and its error HUGE_VAL. NaN gives NaN.",
+          " and its error @infinity@. NaN gives NaN.",
       "",
       "Values were computed at " + std::to_string(pairs.values().speeds.size()) + " speeds and " +
           std::to_string(pairs.values().ratios.size()) + " ratios.",
       ""};
 }
 
-/// The header of one table. @param about its first comment
+/// The file of one table. @param about its first comment
 template <typename Face>
-std::string header(const std::string& name, const Face& face, std::vector<std::string> about, const TableLabel& label) {
+std::string file(const std::string& name, const Face& face, std::vector<std::string> about, const TableLabel& label,
+                 const table::Language& language) {
   table::require_c_name(label.name);
   const table::CGrid grid{name + "_restitution", face.values(), face.nodes(), face.errors()};
   const bool mixture = grid.values.ratios.size() > 1;
-  const table::CRange range(grid.values.ratios, grid.values.alike);
+  const table::CRange range(grid.values.ratios, grid.values.alike, language);
   std::string outside = "    return;\n";
   if (face.beyond() == Beyond::clamp) {
-    outside = (mixture ? "    if (!(ratio > 0.0)) return;\n" : "") + range.nearest;
+    outside = (mixture ? table::worded("    @if@!(ratio > 0.0)@then@return;@end@\n", language) : "") + range.nearest;
   }
   std::vector<std::string> arguments{"speed"};
   if (mixture) arguments.emplace_back("ratio");
-  const std::string body = table::c_limits(grid.values.speeds, grid.values.ratios, label.scale) + "\n" +
-                           table::c_look_up({grid}, label.scale) + std::string(at) +
-                           table::c_numbers_of(arguments, {"restitution", "restitution_error"});
-  return table::c_file(name, table::c_description(std::move(about), name, label),
+  const std::string body = table::c_limits(grid.values.speeds, grid.values.ratios, label.scale, language) + "\n" +
+                           table::c_look_up({grid}, label.scale, language) + table::worded(at, language) +
+                           table::c_numbers_of(arguments, {"restitution", "restitution_error"}, language);
+  return table::c_file(name, table::c_description(std::move(about), name, label, language),
                        table::filled(body, name,
                                      {{"place", range.place},
                                       {"inside", range.inside},
-                                      {"ratio", mixture ? ", double ratio" : ""},
+                                      {"ratio", mixture ? table::worded(", @number:ratio@", language) : ""},
                                       {"unknown", mixture ? " || !(ratio >= 0.0 || ratio < 0.0)" : ""},
-                                      {"outside", outside}}));
+                                      {"outside", outside}}),
+                       language);
+}
+
+std::string of(const RestitutionFunction& function, const TableLabel& label, const table::Language& language) {
+  if (function.beyond() == Beyond::law) {
+    throw InvalidInput::out_of_range("beyond", "law", "error or clamp", "a table as code has no law of slow impacts");
+  }
+  return file(label.name, function, comment(function, label), label, language);
+}
+
+std::string of(const PairTable& pairs, const TableLabel& label, const table::Language& language) {
+  return file(label.name + "_pair", pairs, comment(pairs, label), label, language);
 }
 
 }  // namespace
@@ -113,14 +125,21 @@ void validate(const TableLabel& label) {
 }
 
 std::string c_header(const RestitutionFunction& function, const TableLabel& label) {
-  if (function.beyond() == Beyond::law) {
-    throw InvalidInput::out_of_range("beyond", "law", "error or clamp", "a table in C has no law of slow impacts");
-  }
-  return header(label.name, function, comment(function, label), label);
+  return of(function, label, table::language_c());
+}
+std::string rust_module(const RestitutionFunction& function, const TableLabel& label) {
+  return of(function, label, table::language_rust());
+}
+std::string js_module(const RestitutionFunction& function, const TableLabel& label) {
+  return of(function, label, table::language_js());
 }
 
-std::string c_header(const PairTable& pairs, const TableLabel& label) {
-  return header(label.name + "_pair", pairs, comment(pairs, label), label);
+std::string c_header(const PairTable& pairs, const TableLabel& label) { return of(pairs, label, table::language_c()); }
+std::string rust_module(const PairTable& pairs, const TableLabel& label) {
+  return of(pairs, label, table::language_rust());
+}
+std::string js_module(const PairTable& pairs, const TableLabel& label) {
+  return of(pairs, label, table::language_js());
 }
 
 }  // namespace stoss

@@ -29,44 +29,29 @@ void replace(std::string& text, std::string_view place, std::string_view filling
   }
 }
 
+/// Characters of Unicode that end a line (U+2028, U+2029) or turn its direction (U+202A to U+202E, U+2066 to U+2069).
+bool turns_line(std::string_view three) {
+  const auto third = static_cast<unsigned char>(three.back());
+  const std::string_view two = three.substr(0, 2);
+  return (two == "\xe2\x80" && third >= 0xa8 && third <= 0xae) || (two == "\xe2\x81" && third >= 0xa6 && third <= 0xa9);
+}
+
 /// Without what ends a comment, begins another one, or is a trigraph, and without control characters.
 std::string harmless(std::string_view text) {
   std::string out;
-  for (const char c : text) {
-    const char before = out.empty() ? ' ' : out.back();
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text.size() - i >= 3 && turns_line(text.substr(i, 3))) {
+      out += ' ';
+      i += 2;
+      continue;
+    }
+    const char c = text[i], before = out.empty() ? ' ' : out.back();
     if ((before == '*' && c == '/') || (before == '/' && c == '*') || (before == '?' && c == '?')) out += ' ';
     const bool control = static_cast<unsigned char>(c) < ' ' || c == '\x7f';
     out += control ? ' ' : c;
   }
   return out;
 }
-
-constexpr std::string_view begin = R"(#ifndef @NAME@_RESTITUTION_TABLE
-#define @NAME@_RESTITUTION_TABLE
-
-#include <math.h>
-
-#if defined(__GNUC__)
-#define @NAME@_FUNCTION static __inline__ __attribute__((unused))
-#elif defined(__cplusplus) || (defined(__STDC_VERSION__) && __STDC_VERSION__ >= 199901L)
-#define @NAME@_FUNCTION static inline
-#else
-#define @NAME@_FUNCTION static
-#endif
-#ifdef __cplusplus
-#define @NAME@_INDEX(x) static_cast<int>(x)
-#else
-#define @NAME@_INDEX(x) ((int)(x))
-#endif
-
-)";
-
-constexpr std::string_view end = R"(
-#undef @NAME@_FUNCTION
-#undef @NAME@_INDEX
-
-#endif
-)";
 
 }  // namespace
 
@@ -98,10 +83,12 @@ std::string at_most(double error) {
   return shown(unit < 1.0 ? digits / std::round(1.0 / unit) : digits * unit);
 }
 
-std::string c_array(const std::string& type, const std::string& name, const std::string& comment,
-                    const std::vector<std::string>& cells) {
-  std::string text =
-      "/* " + comment + " */\nstatic const " + type + " " + name + "[" + std::to_string(cells.size()) + "] = {\n";
+std::string c_array(const Language& language, std::string_view type, const std::string& name,
+                    const std::string& comment, const std::vector<std::string>& cells) {
+  std::string text = worded("@comment@" + comment + "@done@\n", language);
+  text += filled(std::string(language.array), name,
+                 {{"array", name}, {"type", std::string(type)}, {"size", std::to_string(cells.size())}});
+  text += "\n";
   std::string line = " ";
   for (const std::string& cell : cells) {
     if (line.size() + cell.size() + 2 > width) {
@@ -110,15 +97,18 @@ std::string c_array(const std::string& type, const std::string& name, const std:
     }
     line.append(" ").append(cell).append(&cell == &cells.back() ? "" : ",");
   }
-  return text.append(line).append("\n};\n");
+  return text.append(line).append("\n").append(language.array_end).append("\n");
 }
 
-std::string c_comment(const std::vector<std::string>& lines) {
+std::string c_comment(const std::vector<std::string>& lines, const Language& language) {
   std::string text;
   for (const std::string& line : lines) {
-    text.append(text.empty() ? "/*" : " *").append(line.empty() ? "" : " ").append(harmless(line)).append("\n");
+    text.append(text.empty() ? language.comment : language.line)
+        .append(line.empty() ? "" : " ")
+        .append(harmless(line))
+        .append("\n");
   }
-  return text.append(" */\n");
+  return text.append(language.comment_end);
 }
 
 void require_c_name(const std::string& name) {
@@ -127,7 +117,7 @@ void require_c_name(const std::string& name) {
   for (const char c : name) allowed = allowed && (is_lower(c) || is_upper(c) || is_digit(c) || c == '_');
   if (allowed) return;
   throw InvalidInput::out_of_range("name", "'" + harmless(name.substr(0, longest)) + "'",
-                                   "up to 40 letters, digits and _, a letter first", "names in C begin with it");
+                                   "up to 40 letters, digits and _, a letter first", "names in the code begin with it");
 }
 
 std::string filled(std::string text, const std::string& name,
@@ -138,12 +128,11 @@ std::string filled(std::string text, const std::string& name,
   return text;
 }
 
-std::string c_file(const std::string& name, const std::vector<std::string>& comment, const std::string& body) {
+std::string c_file(const std::string& name, const std::vector<std::string>& comment, const std::string& body,
+                   const Language& language) {
   require_c_name(name);
-  std::string text = c_comment(comment);
-  text += filled(std::string(begin), name);
-  text += body;
-  return text + filled(std::string(end), name);
+  return c_comment(comment, language) + filled(std::string(language.begin), name) + body +
+         filled(std::string(language.end), name);
 }
 
 }  // namespace stoss::table

@@ -95,7 +95,7 @@ printf '%s\\n' "${{COMPREPLY[@]}}\""""
     assert complete("stoss restitution --against ") == bodies
     assert complete("stoss impact --against e") == ["exponential"]
     assert complete("stoss restitution --against e") == ["exponential"]
-    assert complete("stoss table --format ") == ["c", "two-column", "json", "netcdf"]
+    assert complete("stoss table --format ") == ["c", "rust", "js", "two-column", "json", "netcdf"]
     assert complete("stoss impact --speed ") == []
     assert complete("stoss swe") == ["sweep"] and complete("stoss sweep grid.toml --sh") == ["--shard"]
 

@@ -119,7 +119,7 @@ table {DISK} --speed 0.1 | speed: got '0.1', allowed LOW:HIGH
 table {DISK} --speed 0.1: | speed: got ''
 table {DISK} --speed 0.2:0.1 | speed: got '0.2:0.1', allowed a lower end below the higher one
 table {DISK} --speed 0.01:0.1 --name 2x | name: got '2x'
-table {DISK} --speed 0.01:0.1 --name x --format json | name: got --name with --format json, allowed only with --format c
+table {DISK} --speed 0.01:0.1 --name x --format json | name: got --name with --format json, allowed only with --format c, rust or js
 table {DISK} --speed 0.01:0.1 --beyond error --format two-column | beyond: got --beyond with --format two-column
 table {DISK} --speed 0.01:0.1 --ratio 1:2 | ratio
 table {DISK} --speed 0.01:0.1 --ratio 1:2 --against same --format two-column | ratio: got --ratio with --format two-column
@@ -128,6 +128,8 @@ table {DISK} --speed 0.01:0.1 --oblique | friction: missing, above 0 to 5
 table {BALL} --speed 0.01:0.1 --friction 0.3 --oblique | friction: got 0.3, allowed none
 table {BALL} --speed 0.01:0.1 --oblique --format two-column | speed: got '0.01:0.1'
 table --body rod --speed 0.01:0.1 --oblique | friction: not available for 'rod'
+table {BALL} --speed 0.01:0.1 --oblique --format rust | format: got rust with --oblique, allowed c, two-column, json or netcdf
+table {BALL} --speed 0.01:0.1 --oblique --format js | format: got js with --oblique
 table {BALL} --speed 0.01:0.1 --oblique --format netcdf | output: missing, a file
 table {DISK} --speed 0.01:0.1 --format netcdf -o x.nc | format: got netcdf, allowed only with --oblique
 table {STEEL} --speed 1:2 --adhesion 0.1 | adhesion: got --adhesion, allowed only with --predict

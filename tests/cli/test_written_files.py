@@ -20,7 +20,8 @@ JOBS = [
     f"oblique {NU} --friction 0.3 --angle 30 --tolerance 0.1", "quasistatic --body disk --poisson 0.33 --speed 0.01",
     "quasistatic --body disk --poisson 0.33 --compression 0.01", f"predict {STEEL} --speed 1", "materials",
 ]  # fmt: skip
-TABLES = [f"table --body disk --poisson 0.33 --speed 0.01:0.1 --error 0.1 --format {form}" for form in ("c", "json", "two-column")]
+TABLES = [f"table --body disk --poisson 0.33 --speed 0.01:0.1 --error 0.1 --format {form}"
+          for form in ("c", "rust", "js", "json", "two-column")]
 WRITTEN = [f"{job} --format {form} -o out" for job in JOBS[:7] for form in ("table", "csv", "json")] + [
     *[f"{table} -o out" for table in TABLES], f"impact {NU} --cutoff 12.5 --trajectory out",
     f"restitution {NU} --tolerance 0.1 --resume out",

@@ -73,6 +73,16 @@ TEST(GoldenTables, AreTheHeadersThatAreStored) {
   expect_stored("plain.h", c_header(test::golden_rule(false, Beyond::error), {.name = "plain"}));
 }
 
+TEST(GoldenTables, AreTheModulesThatAreStored) {
+  const TableLabel clamped{.name = "clamped", .unit = "m/s", .scale = 5172.19, .provenance = {"stoss", "", "as given"}};
+  const RestitutionFunction function = test::golden_function(Beyond::clamp);
+  const PairTable pairs = test::golden_pairs(true, Beyond::clamp);
+  expect_stored("clamped.rs", rust_module(function, clamped));
+  expect_stored("clamped.mjs", js_module(function, clamped));
+  expect_stored("alike.rs", rust_module(pairs, {.name = "alike"}));
+  expect_stored("alike.mjs", js_module(pairs, {.name = "alike"}));
+}
+
 const std::vector<double> speeds{0.0,   -0.0, 1e-310, 9e-5, 1e-4,    2e-4, -3e-4, 0.004, 0.00999,   0.01,       0.011,
                                  -0.02, 0.07, 0.15,   0.2,  0.20001, 0.25, 0.3,   0.31,  unlimited, not_a_value};
 const std::vector<double> ratios{-1.0, 0.0, 0.1, 0.3, 1.0 / 3.0, 0.5, 0.55, 0.9,       1.0,        1.2,

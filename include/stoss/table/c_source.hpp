@@ -50,7 +50,20 @@ void validate(const TableLabel& label);
 /// @throws InvalidInput as above
 [[nodiscard]] std::string c_header(const PairTable& table, const TableLabel& label = {});
 
-/// The same of a collision rule. With the name stoss it defines, as RuleTable and stoss::collide have them,
+/// Source text of a module in Rust, of edition 2018 or later, that has the functions of the header in C: `pub fn
+/// stoss_restitution(speed: f64) -> f64` and so on, the range as `pub const STOSS_SLOWEST: f64`. It uses nothing but
+/// the language; where the header has HUGE_VAL it has f64::INFINITY.
+/// @throws InvalidInput as above
+[[nodiscard]] std::string rust_module(const RestitutionFunction& function, const TableLabel& label = {});
+[[nodiscard]] std::string rust_module(const PairTable& table, const TableLabel& label = {});
+
+/// Source text of a module in JavaScript (ECMAScript 2015) that exports the functions of the header in C, and its
+/// range as constants. Where the header has HUGE_VAL it has Infinity.
+/// @throws InvalidInput as above
+[[nodiscard]] std::string js_module(const RestitutionFunction& function, const TableLabel& label = {});
+[[nodiscard]] std::string js_module(const PairTable& table, const TableLabel& label = {});
+
+/// The same header of a collision rule. With the name stoss it defines, as RuleTable and stoss::collide have them,
 ///
 ///   static double stoss_rule_restitution(double speed, double sliding, double friction, double ratio)
 ///   static double stoss_rule_sliding(…), stoss_rule_restitution_error(…), stoss_rule_sliding_error(…)

@@ -51,7 +51,8 @@ std::string c_header(const RuleTable& rule, const TableLabel& label) {
   const std::string name = label.name + "_rule";
   const auto& [normal, along, friction] = rule.values();
   const bool mixture = along.ratios.size() > 1;
-  const table::CRange range(along.ratios, along.alike);
+  const table::Language& language = table::language_c();
+  const table::CRange range(along.ratios, along.alike, language);
   const std::vector<std::pair<std::string, std::string>> fillings{
       {"place", range.place},
       {"inside", range.inside},
@@ -60,18 +61,18 @@ std::string c_header(const RuleTable& rule, const TableLabel& label) {
       {"ratio", mixture ? " && ratio > 0.0 && ratio < HUGE_VAL" : ""},
       {"unused", mixture ? "" : "  (void)ratio;\n"},
       {"outside", rule.beyond() == Beyond::clamp ? range.nearest : "    return;\n"}};
-  std::string body = table::c_limits(along.speeds, along.ratios, label.scale);
+  std::string body = table::c_limits(along.speeds, along.ratios, label.scale, language);
   if (friction) body += "#define @NAME@_FRICTION " + table::c_number(*friction) + "\n";
   body += "\n";
   body += table::c_look_up({{name + "_restitution", normal, rule.restitution_nodes(), rule.restitution_errors()},
                             {name + "_sliding", along, rule.sliding_nodes(), rule.sliding_errors()}},
-                           label.scale);
+                           label.scale, language);
   body += std::string(table::c_rule_function) +
           table::c_numbers_of({"speed", "sliding", "friction", "ratio"},
-                              {"restitution", "restitution_error", "sliding", "sliding_error"}) +
+                              {"restitution", "restitution_error", "sliding", "sliding_error"}, language) +
           std::string(table::c_collide_functions);
-  return table::c_file(name, table::c_description(comment(rule, label), name, label),
-                       table::filled(body, name, fillings));
+  return table::c_file(name, table::c_description(comment(rule, label), name, label, language),
+                       table::filled(body, name, fillings), language);
 }
 
 }  // namespace stoss

@@ -15,7 +15,7 @@ OPTIONS = {
     "impact": {"cutoff": (0.1, 300), "step": (1e-5, 1), "nodes": (16, 4096), "tail": ("radiating", "static", "none")},
     "predict": {"tolerance": (1e-6, 0.5), "adhesion": (1e-3, 10), "uncertainty": ("young=0.1", "yield_strength=1")},
     "table": {"error": (1e-5, 0.1), "tolerance": (1e-3, 0.5), "friction": (1e-3, 5), "adhesion": (1e-3, 10),
-              "format": ("c", "two-column", "json"), "beyond": ("clamp", "error"), "name": ("a", "a b")},
+              "format": ("c", "rust", "js", "two-column", "json"), "beyond": ("clamp", "error"), "name": ("a", "a b")},
     "bounce": {"count": (1, 1e4), "decay-time": (1, 1e4), "tail": ("radiating", "static", "none"), "cutoff": (0.1, 300)},
     "distribution": {"samples": (1, 1e5), "error": (1e-7, 0.5), "highest": (1, 300), "seed": (1, 1e9)},
     "quasistatic": {"cutoff": (1, 2000), "law": ("center", "diameter", "hertz")},
