@@ -1,6 +1,8 @@
 // What the core knows of kinds, materials, quantities and documents.
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -32,6 +34,9 @@ static Json relaxation() {
           {"help", "shares of the modulus E(0) that relax, and their times, as in 0.5:1+0.2:10"}};
 }
 
+/// Hollow spheres are not computed here (without_shells.cpp).
+static bool is_here(const Kind& kind) { return kind.name != "hollow-sphere"; }
+
 static void to_json(Json& json, const Kind& kind) {
   json = {{"name", kind.name},           {"help", kind.help},
           {"solid", !kind.wall},         {"bounded", kind.bounded},
@@ -48,7 +53,7 @@ static void to_json(Json& json, const Kind& kind) {
   }
   if (!kind.wall) json["parameters"].push_back(relaxation());
   for (const Kind& other : kinds()) {
-    if (!other.wall && meets(kind, other)) json["meets"].push_back(other.name);
+    if (!other.wall && is_here(other) && meets(kind, other)) json["meets"].push_back(other.name);
   }
 }
 
@@ -110,8 +115,10 @@ std::vector<NamedMaterial> materials_of_qualities() {
 /// The table of kinds, the named materials and ranges of inputs, as JSON: web/plugins/kinds.mjs writes them for the
 /// page.
 val kinds(const Question&) {
+  std::vector<Kind> here;
+  std::copy_if(stoss::kinds().begin(), stoss::kinds().end(), std::back_inserter(here), is_here);
   return val(
-      Json{{"kinds", stoss::kinds()}, {"materials", materials_of_qualities()}, {"ranges", ranges_of_motions()}}.dump());
+      Json{{"kinds", here}, {"materials", materials_of_qualities()}, {"ranges", ranges_of_motions()}}.dump());
 }
 
 }  // namespace
