@@ -34,7 +34,7 @@ static Json relaxation() {
           {"help", "shares of the modulus E(0) that relax, and their times, as in 0.5:1+0.2:10"}};
 }
 
-/// Hollow spheres are not computed here (without_shells.cpp).
+/// Hollow spheres are not computed here (absent/shells.cpp).
 static bool is_here(const Kind& kind) { return kind.name != "hollow-sphere"; }
 
 static void to_json(Json& json, const Kind& kind) {

@@ -62,7 +62,7 @@ describe('limits', () => {
     expect(problem(pair, 'radius2', '1001')).toContain('allowed 0.001 to 1000');
     const block = { ...defaults, encounter: withAgainst(defaults.encounter, 'half-space') };
     expect(problem(block, 'young2', '1e6')).toBe('');
-    expect(problem(block, 'young2', '1e7')).toContain('allowed 0.001 to 1e6');
+    expect(problem(block, 'young2', '1e7')).toContain('allowed 1e-6 to 1e6');
   });
   it('are marked at the number of what it meets, and at the area where impedances differ too much', () => {
     const rods = { ...defaults, encounter: withAgainst(withKind(defaults.encounter, 'rod'), 'body') };
