@@ -46,8 +46,8 @@ restitution --body rod --speed 0.1 --poisson 0.3 | poisson: got --poisson with -
 restitution --body rod --speed 0.1 --rigid-body | rigid-body: got --rigid-body with --body rod, allowed only with --body sphere or disk
 restitution --body rod --speed 0.1 --young 1e9 --density 1e3 --length 1 | area: missing (a material needs it too, in m^2)
 restitution {SOLID} --speed 1 --yield-strength 1e9 --rigid-body --against half-space,young=1e9,density=1e3 | yield_strength: 'rigid sphere poisson=0.3' is rigid, and does not yield
-restitution {BALL} --speed 0.1 --against spere | against: got 'spere', allowed wall, same, disk, sphere, rod, half-space, half-plane, plate, strip, exponential, did you mean sphere?
-restitution {BALL} --speed 0.1 --against disk | against: got disk for a sphere, allowed wall, same, sphere, half-space, plate or modal
+restitution {BALL} --speed 0.1 --against spere | against: got 'spere', allowed wall, same, disk, sphere, hollow-sphere, rod, half-space, half-plane, plate, strip, exponential, did you mean sphere?
+restitution {BALL} --speed 0.1 --against disk | against: got disk for a sphere, allowed wall, same, sphere, hollow-sphere, half-space, plate or modal
 restitution {BALL} --speed 0.1 --against sphere,length=2 | against: got 'length', allowed poisson, radius, young, density, loss_time, quality, roughness, u0, coat, coat_young, coat_poisson, coat_quality, yield_strength, yield_hardening, yield_rate, rigid, relaxation, young_is, material, c_p, c_s with sphere
 restitution {BALL} --speed 0.1 --against sphere,raduis=2 | against: got 'raduis'
 restitution {BALL} --speed 0.1 --against sphere, | against: got ''

@@ -13,7 +13,8 @@ import stoss
 from wrong_values import NUMBERS as NO_NUMBERS
 from wrong_values import SEVERAL
 
-CLASSES = {"disk": stoss.Disk, "sphere": stoss.Sphere, "rod": stoss.Rod, "half-space": stoss.HalfSpace,
+CLASSES = {"disk": stoss.Disk, "sphere": stoss.Sphere, "hollow-sphere": stoss.HollowSphere,
+           "rod": stoss.Rod, "half-space": stoss.HalfSpace,
            "half-plane": stoss.HalfPlane, "plate": stoss.Plate, "strip": stoss.Strip,
            "exponential": stoss.ExponentialWall}  # fmt: skip
 PLATES = ("plate", "strip")
@@ -33,7 +34,8 @@ EACH = pytest.mark.parametrize("kind", CLASSES)
 
 def made(kind, **given):
     """One of that kind, with the numbers that it must have."""
-    needed = {"poisson": 0.3} if kind in ("disk", "sphere") else {"thickness": 2.0} if kind in PLATES else {}
+    needed = {"poisson": 0.3} if kind in ("disk", "sphere", "hollow-sphere") else {}
+    needed |= {"thickness": 2.0} if kind in PLATES else {"inner": 0.9} if kind == "hollow-sphere" else {}
     return CLASSES[kind](**{**needed, **given})
 
 
