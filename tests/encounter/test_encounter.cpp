@@ -160,7 +160,8 @@ TEST(Encounter, RefusesInOneLine) {
   Participant rigid_ball = ball;
   rigid_ball.rigid = true;
   EXPECT_EQ(test::message_of<InvalidInput>([&] { validate(Encounter{.first = rigid_ball}); }),
-            "rigid: got a rigid sphere against wall, allowed only against an elastic sphere, half-space, plate or "
+            "rigid: got a rigid sphere against wall, allowed only against an elastic sphere, hollow-sphere, "
+            "half-space, plate or "
             "modal, which deforms");
 }
 

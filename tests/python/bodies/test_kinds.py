@@ -64,7 +64,7 @@ def test_what_is_left_out_is_what_the_core_takes(kind):
             assert getattr(one, name) == otherwise
         elif KINDS[kind]["bounded"] or not of_material:
             with pytest.raises(stoss.InvalidInput, match=f"^{name}: missing"):
-                CLASSES[kind]()
+                CLASSES[kind](**{each: 0.3 for each, _, usual, *_ in KINDS[kind]["numbers"] if usual is None and each != name})
         else:
             assert getattr(one, name) is None  # that of the first body
 
