@@ -73,10 +73,11 @@ def test_what_is_left_out_is_what_the_core_takes(kind):
 def test_a_material_makes_what_the_core_says(kind):
     if KINDS[kind]["wall"]:
         return
-    steel, sizes = stoss.materials["structural steel"], {"radius", "length", "area", "thickness"}
+    steel, sizes = stoss.materials["structural steel"], {"radius", "length", "area", "thickness", "inner"}
     own = [name for name, *_, of_material in KINDS[kind]["numbers"] if not of_material and name in sizes]
     one = CLASSES[kind](material=steel, **dict.fromkeys(own, 0.01))
-    assert own == {"rod": ["length", "area"], "disk": ["radius"], "sphere": ["radius"]}.get(
+    of_balls = {"sphere": ["radius"], "hollow-sphere": ["radius", "inner"]}
+    assert own == {"rod": ["length", "area"], "disk": ["radius"], **of_balls}.get(
         kind, ["thickness"] if kind in PLATES else []
     )
     for name, *_, of_material in KINDS[kind]["numbers"]:
