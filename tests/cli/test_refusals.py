@@ -46,8 +46,8 @@ restitution --body rod --speed 0.1 --poisson 0.3 | poisson: got --poisson with -
 restitution --body rod --speed 0.1 --rigid-body | rigid-body: got --rigid-body with --body rod, allowed only with --body sphere or disk
 restitution --body rod --speed 0.1 --young 1e9 --density 1e3 --length 1 | area: missing (a material needs it too, in m^2)
 restitution {SOLID} --speed 1 --yield-strength 1e9 --rigid-body --against half-space,young=1e9,density=1e3 | yield_strength: 'rigid sphere poisson=0.3' is rigid, and does not yield
-restitution {BALL} --speed 0.1 --against spere | against: got 'spere', allowed wall, same, disk, sphere, rod, half-space, half-plane, plate, strip, exponential, did you mean sphere?
-restitution {BALL} --speed 0.1 --against disk | against: got disk for a sphere, allowed wall, same, sphere, half-space, plate or modal
+restitution {BALL} --speed 0.1 --against spere | against: got 'spere', allowed wall, same, disk, sphere, hollow-sphere, rod, half-space, half-plane, plate, strip, exponential, did you mean sphere?
+restitution {BALL} --speed 0.1 --against disk | against: got disk for a sphere, allowed wall, same, sphere, hollow-sphere, half-space, plate or modal
 restitution {BALL} --speed 0.1 --against sphere,length=2 | against: got 'length', allowed poisson, radius, young, density, loss_time, quality, extra_mass, roughness, u0, coat, coat_young, coat_poisson, coat_quality, yield_strength, yield_hardening, yield_rate, rigid, relaxation, young_is, material, c_p, c_s with sphere
 restitution {BALL} --speed 0.1 --against sphere,raduis=2 | against: got 'raduis'
 restitution {BALL} --speed 0.1 --against sphere, | against: got ''
@@ -78,7 +78,7 @@ restitution {BALL} --speed 0.1 --against half-space/young=2 | against layers: go
 restitution {STEEL} --speed 1 --against plate,thickness=4e-3,material=glass/thickness=1e-3 | against: got plate without young
 restitution {BALL} --speed 0.1 --against half-space,young=1e-7 | young ratio: got 1e-07, allowed 1e-6 to 1e6 (of the half-space to the body; beyond, the stiffer one is rigid: let the first be rigid (--rigid-body))
 restitution {BALL} --extra-mass -1 --speed 0.1 | extra_mass: got -1, allowed 0 or more (a mass fixed to the body)
-restitution --body disk --poisson 0.3 --extra-mass 1 --speed 0.1 | extra-mass: got --extra-mass with --body disk, allowed only with --body sphere
+restitution --body disk --poisson 0.3 --extra-mass 1 --speed 0.1 | extra-mass: got --extra-mass with --body disk, allowed only with --body sphere or hollow-sphere
 oblique {BALL} --extra-mass 1 --speed 0.1 --angle 30 --friction 0.1 | extra_mass: friction turns a body, and how this mass turns is not known
 restitution {BALL} --speed 0.1 --against half-space,young=1e7 | young ratio: got 1e+07, allowed 1e-6 to 1e6 (of the half-space to the body; beyond, the stiffer one is rigid: let it be a wall (--against wall))
 restitution {BALL} --speed 0.1 --against sphere,young=1e7 | young ratio: got 1e+07, allowed 1e-6 to 1e6 (of the second body to the first; beyond, the stiffer one is rigid: let the second be rigid (--against ...,rigid=1))

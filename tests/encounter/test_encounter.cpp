@@ -139,11 +139,9 @@ TEST(Encounter, SaysWhatIsTakenAsSound) {
 
 TEST(Encounter, RefusesInOneLine) {
   const Participant ball{.kind = "sphere", .values = {{"poisson", 0.3}}};
-  EXPECT_EQ(
-      test::message_of<InvalidInput>([&] { validate(Encounter{.first = ball, .against = {.kind = "rod"}}); }),
-      "against: got rod for a sphere, allowed wall, same, sphere, half-space, plate or modal (a disk meets "
-      "disks, half-planes and strips; a sphere spheres, half-spaces, plates and modal bodies; a rod rods; a modal "
-      "body spheres, half-spaces, plates and modal bodies)");
+  EXPECT_EQ(test::message_of<InvalidInput>([&] { validate(Encounter{.first = ball, .against = {.kind = "rod"}}); }),
+            "against: got rod for a sphere, allowed wall, same, sphere, hollow-sphere, half-space, plate or modal (" +
+                who_meets_whom() + ")");
   EXPECT_EQ(
       test::message_of<InvalidInput>(
           [&] { validate(Encounter{.first = ball, .against = {.kind = "half-space", .material = glass}}); }),
@@ -162,7 +160,8 @@ TEST(Encounter, RefusesInOneLine) {
   Participant rigid_ball = ball;
   rigid_ball.rigid = true;
   EXPECT_EQ(test::message_of<InvalidInput>([&] { validate(Encounter{.first = rigid_ball}); }),
-            "rigid: got a rigid sphere against wall, allowed only against an elastic sphere, half-space, plate or "
+            "rigid: got a rigid sphere against wall, allowed only against an elastic sphere, hollow-sphere, "
+            "half-space, plate or "
             "modal, which deforms");
 }
 

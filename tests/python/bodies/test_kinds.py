@@ -13,7 +13,8 @@ import stoss
 from wrong_values import NUMBERS as NO_NUMBERS
 from wrong_values import SEVERAL
 
-CLASSES = {"disk": stoss.Disk, "sphere": stoss.Sphere, "rod": stoss.Rod, "half-space": stoss.HalfSpace,
+CLASSES = {"disk": stoss.Disk, "sphere": stoss.Sphere, "hollow-sphere": stoss.HollowSphere,
+           "rod": stoss.Rod, "half-space": stoss.HalfSpace,
            "half-plane": stoss.HalfPlane, "plate": stoss.Plate, "strip": stoss.Strip,
            "exponential": stoss.ExponentialWall}  # fmt: skip
 PLATES = ("plate", "strip")
@@ -33,7 +34,8 @@ EACH = pytest.mark.parametrize("kind", CLASSES)
 
 def made(kind, **given):
     """One of that kind, with the numbers that it must have."""
-    needed = {"poisson": 0.3} if kind in ("disk", "sphere") else {"thickness": 2.0} if kind in PLATES else {}
+    needed = {"poisson": 0.3} if kind in ("disk", "sphere", "hollow-sphere") else {}
+    needed |= {"thickness": 2.0} if kind in PLATES else {"inner": 0.9} if kind == "hollow-sphere" else {}
     return CLASSES[kind](**{**needed, **given})
 
 
@@ -62,7 +64,7 @@ def test_what_is_left_out_is_what_the_core_takes(kind):
             assert getattr(one, name) == otherwise
         elif KINDS[kind]["bounded"] or not of_material:
             with pytest.raises(stoss.InvalidInput, match=f"^{name}: missing"):
-                CLASSES[kind]()
+                CLASSES[kind](**{each: 0.3 for each, _, usual, *_ in KINDS[kind]["numbers"] if usual is None and each != name})
         else:
             assert getattr(one, name) is None  # that of the first body
 
@@ -71,10 +73,11 @@ def test_what_is_left_out_is_what_the_core_takes(kind):
 def test_a_material_makes_what_the_core_says(kind):
     if KINDS[kind]["wall"]:
         return
-    steel, sizes = stoss.materials["structural steel"], {"radius", "length", "area", "thickness"}
+    steel, sizes = stoss.materials["structural steel"], {"radius", "length", "area", "thickness", "inner"}
     own = [name for name, *_, of_material in KINDS[kind]["numbers"] if not of_material and name in sizes]
     one = CLASSES[kind](material=steel, **dict.fromkeys(own, 0.01))
-    assert own == {"rod": ["length", "area"], "disk": ["radius"], "sphere": ["radius"]}.get(
+    of_balls = {"sphere": ["radius"], "hollow-sphere": ["radius", "inner"]}
+    assert own == {"rod": ["length", "area"], "disk": ["radius"], **of_balls}.get(
         kind, ["thickness"] if kind in PLATES else []
     )
     for name, *_, of_material in KINDS[kind]["numbers"]:

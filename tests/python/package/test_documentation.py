@@ -59,7 +59,8 @@ def test_types_come_from_annotations_and_own_words_come_first():
 
     assert made.__doc__ == (
         "Make it.\n\nParameters:\n"
-        "    body (Disk, Sphere, Rod or ModalBody, optional): The first body, in whose units all results are.\n"
+        "    body (Disk, Sphere, HollowSphere, Rod or ModalBody, optional): The first body, in whose units\n"
+        "        all results are.\n"
         "    speed (array_like): One's own, which a shorter line continues.\n"
         "    threads (int, optional): 0: as many as the machine has. Results do not depend on it.\n"
         "    **style: Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …\n\n"
