@@ -47,7 +47,7 @@ TEST(ModalBody, RefusesNumbersOfOtherUnits) {
     change(body);
     test::expect_refusal([&] { (void)modal_body(body); }, {name, "units"});
   };
-  refused("mass", [](ModalBody& body) { body.mass *= 1e3; });  // g for kg
+  refused("mass", [](ModalBody& body) { body.mass *= 1e3; });              // g for kg
   refused("compliance", [](ModalBody& body) { body.compliance *= 1e3; });  // mm/N
   refused("compliance", [](ModalBody& body) {
     for (PointMode& mode : body.modes) mode.displacement *= 30.0;
