@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Exact, Rods,
 TEST(Pairs, RefuseWhatDoesNotMeet) {
   test::expect_refusal([] { (void)contact(disk(0.33), rod(), 25.0); }, {"against", "rod", "disk"});
   test::expect_refusal([] { (void)contact(disk(0.33), disk(Disk{0.33, 2e3, 1.0, 1.0}), 25.0); }, {"radius", "1000"});
-  test::expect_refusal([] { (void)contact(disk(0.33), disk(Disk{0.33, 1.0, 1e-4, 1.0}), 25.0); }, {"young", "0.001"});
+  test::expect_refusal([] { (void)contact(disk(0.33), disk(Disk{0.33, 1.0, 1e-7, 1.0}), 25.0); }, {"young", "1e-6"});
   test::expect_refusal([] { (void)contact(disk(0.33), disk(Disk{0.33, 1.0, 1.0, 2e3}), 25.0); }, {"density", "1000"});
   test::expect_refusal([] { (void)contact(disk(0.33, 25.0), disk(0.33, 30.0)); }, {"cutoff", "25", "30"});
 }

@@ -161,7 +161,7 @@ TEST(RestitutionOnAHalfSpace, RefusesWhatCannotMeet) {
   EXPECT_THROW(meet(half_space(solid), sphere(0.3)), InvalidInput);
   EXPECT_THROW(meet(half_space(solid), half_space(solid)), InvalidInput);
   EXPECT_THROW(meet(rigid(sphere(0.3)), rigid(sphere(0.3))), InvalidInput);
-  EXPECT_THROW(meet(sphere(0.3), half_space(HalfSpace{0.3, 9e-4})), InvalidInput);
+  EXPECT_THROW(meet(sphere(0.3), half_space(HalfSpace{0.3, 9e-7})), InvalidInput);
   EXPECT_THROW(meet(sphere(0.3), half_space(HalfSpace{0.3, 1.1e6})), InvalidInput);
   EXPECT_THROW(meet(sphere(0.3), half_space(HalfSpace{0.3, 1.0, 1.1e6})), InvalidInput);
   EXPECT_THROW((void)contact(half_space(solid, 10.0, 10.0)), InvalidInput);

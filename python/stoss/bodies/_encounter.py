@@ -71,7 +71,7 @@ def choose_against(body: Body, against: Any, walls: tuple[type, ...] = WALLS) ->
         if not _core.meets(body._kind, against._kind):
             solids: tuple[type[Solid], ...] = (*BODIES, *UNBOUNDED)
             allowed = (each.__name__ for each in solids if _core.meets(body._kind, each._kind))
-            raise refusal("against", against, f"a stoss.{' or a stoss.'.join(allowed)} ({_core.who_meets_whom()})")
+            raise refusal("against", against, f"a stoss.{', '.join(allowed)} ({_core.who_meets_whom()})")
         if (against.material is None) != (body.material is None):
             raise refusal("against", against, "two bodies with a material, or two without")
         plane = getattr(body, "plane", None)

@@ -40,7 +40,7 @@ def test_refused_in_one_line(given, said):
 
 
 def test_a_body_by_its_modes_is_another_with_another_coat():
-    bar = stoss.ModalBody(mass=0.08, curvature=100, young=2e11, poisson=0.3, density=7850, compliance=1e-9,
+    bar = stoss.ModalBody(mass=0.08, curvature=100, young=2e11, poisson=0.3, density=7850, compliance=1e-7,
                           frequency=[5300.0], displacement=[7.1])  # fmt: skip
     thin, thick = (bar.with_face(coat=each, coat_young=1e9) for each in (1e-5, 1e-4))
     assert len({bar, thin, thick}) == 3
