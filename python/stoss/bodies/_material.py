@@ -167,7 +167,8 @@ class Material:
             >>> stoss.restitution(bullet, against=mat, speed=1.0).restitution
             0.7973...
         """
-        return cls(**_core.units_of_rigid(), density=density)
+        units = _core.units_of_rigid()
+        return cls(young=units["young"], poisson=units["poisson"], density=density)
 
     def __repr__(self) -> str:
         return f"Material({', '.join(f'{name}={brief(value)}' for name, value in self._words().items())})"

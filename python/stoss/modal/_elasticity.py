@@ -128,7 +128,7 @@ class Elasticity:
         first = self.mass.getOwnershipRange()[0]
         self.stiffness.zeroRowsColumns(fixed + first, 1.0)
         self.mass.zeroRowsColumns(fixed + first, 0.0)
-        return fixed
+        return np.asarray(fixed, dtype=np.int32)
 
     def _matrix(self, integrand: Any) -> PETSc.Mat:
         dx = ufl.dx(metadata={"quadrature_degree": DEGREE})
