@@ -59,7 +59,7 @@ void BodyOptions::add_kind_to(CLI::App& command, const std::vector<std::string>&
     for (const Parameter& each : kind(name).parameters) {
       if (is_shape(each))
         add(command, "--" + std::string(each.name), numbers_[std::string(each.name)],
-            fmt::format("Of a {}: {}, {} to {}", name, each.help, each.low, each.high), "NUMBER", "Body");
+            fmt::format("{} (of a {}), {} to {}", each.help, name, each.low, each.high), "NUMBER", "Body");
     }
   }
   if (!files) {
@@ -78,8 +78,8 @@ void BodyOptions::add_kind_to(CLI::App& command, const std::vector<std::string>&
 void BodyOptions::add_dynamics_to(CLI::App& command) {
   command
       .add_flag("--rigid-body", rigid_,
-                "The body is rigid: it keeps its mass; its modulus cancels, and need not\n"
-                "be given; what it meets must deform")
+                "The body is rigid and keeps its mass. It needs no modulus, which cancels,\n"
+                "and must meet something that deforms")
       ->group("Body");
   add(command, "--loss-time", numbers_["loss_time"],
       "Loss time eta of the body: stress = (1 + eta d/dt) elastic stress\n(default: 0, or that of --material); "

@@ -195,7 +195,7 @@ using BodyMaker = std::function<Body(double cutoff, const Poll& poll)>;
 [[nodiscard]] BodyMaker yielding(const BodyMaker& maker, const Strength& strength);
 
 /// The same body with a mass fixed to it, as the hammer behind a ball. It moves as the body does on average over its
-/// mass, with a force that acts on all of the body alike: no mode feels it, and none is changed.
+/// mass. The force between them acts evenly on the whole body, so that it excites no mode and changes none.
 /// @param mass in that of Body::scale, 0 or more
 /// @throws InvalidInput for a mass below 0 or not finite, and for a body other than a whole one that touches on a
 /// circle

@@ -156,7 +156,7 @@ class Material:
 
     @classmethod
     def of_rigid(cls, density: float) -> Material:
-        """Make a material for a rigid body, of which only the density counts: its modulus cancels.
+        """Make a material for a rigid body. Only its density counts, as its modulus cancels.
 
         Parameters:
             density (float): ρ, kg/m³.

@@ -50,7 +50,7 @@ class Solid:
             that has one.
         rigid (bool, optional): Young's modulus is infinite, and the given one is only a unit (see
             `Material.of_rigid`). The body keeps its mass. It meets elastic ones.
-        extra_mass (float, optional): Of a sphere, a mass fixed to it that moves as it does on average, as that
+        extra_mass (float, optional): Mass fixed to a sphere that moves as it does on average, as that
             of a hammer behind its ball: kg with a material, else `density` × `radius`³. No mode feels it.
     """
 

@@ -25,7 +25,7 @@ class Held:
     Attributes:
         facets: Of this process.
         normal, tangential: Stiffness of springs.
-        mass: Of what is fixed to it.
+        mass: What is fixed to it has.
         each: Whether a stiffness is that of each unit of its area, not that of all of it.
     """
 

@@ -148,7 +148,7 @@ def _body(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]:
     files = " and ".join(os.path.basename(each) for each in (given.mesh, given.coarse) if each)
 
     def statics(prefix: str) -> dict[str, float]:
-        """The compliance and its error. Of a body that is held it is that of what its modes leave of it."""
+        """The compliance and its error, of a held body that of what its modes leave."""
         values = [float(each[f"{prefix}compliance"]) for each in (fine, coarse) if each]
         if held:
             count = int(np.sum(both[0]["frequency"] <= complete))

@@ -17,9 +17,9 @@ MASS = re.compile(rf"(?P<surface>.+)=(?P<mass>{NUMBER})(?:kg)?")
 
 @dataclasses.dataclass(frozen=True)
 class Support:
-    """Of one surface, in SI, as given: springs, a mass, or neither, which is a clamp.
+    """What holds one surface, in SI, as given: springs, a mass, or neither, which is a clamp.
 
-    Springs are stiff along the normal of the surface and along it, everywhere alike: so much for the
+    Springs are stiff along the normal of the surface and along it, by the same amount everywhere, for the
     whole surface (N/m), or for each m² of it (N/m³).
     """
 
