@@ -87,7 +87,7 @@ printf '%s\\n' "${{COMPREPLY[@]}}\""""
         assert result.stderr == ""
         return result.stdout.split()
 
-    bodies = ["wall", "same", "disk", "sphere", "rod", "half-space", "half-plane", "plate", "strip",
+    bodies = ["wall", "same", "disk", "sphere", "hollow-sphere", "rod", "half-space", "half-plane", "plate", "strip",
               "exponential"]
     assert complete("stoss re") == ["restitution", "relaxation"]
     assert complete("stoss impact --tr") == ["--trajectory"]

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 #include <string>
 
 #include "stoss/encounter/document.hpp"
@@ -24,6 +25,11 @@ Restitution of(const std::string& kind, const std::string& met, double ratio, bo
 struct SoftBody {
   std::string first, met;
 };
+
+/// As the list of tests shows it.
+std::ostream& operator<<(std::ostream& out, const SoftBody& its) {
+  return out << its.first << " on {" << its.met << "}";
+}
 
 class HardOnSoft : public testing::TestWithParam<SoftBody> {};
 
@@ -56,10 +62,9 @@ INSTANTIATE_TEST_SUITE_P(Bodies, HardOnSoft,
 TEST(HardOnSoft, EndsWhereTheStifferOneIsRigid) {
   const std::string said =
       test::message_of<InvalidInput>([] { (void)of("sphere", R"("kind":"half-space")", 1e-7, false, 0.01); });
-  EXPECT_EQ(
-      said,
-      "young ratio: got 1e-07, allowed 1e-6 to 1e6 (of the half-space to the body; beyond, the stiffer one is "
-      "rigid: let the first be rigid)");
+  EXPECT_EQ(said,
+            "young ratio: got 1e-07, allowed 1e-6 to 1e6 (of the half-space to the body; beyond, the stiffer one is "
+            "rigid: let the first be rigid)");
 }
 
 // The modulus of a rigid body cancels: none need be given.

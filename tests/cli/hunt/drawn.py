@@ -42,10 +42,10 @@ class Drawer:
         # "a disk meets disks, half-planes and strips; a sphere spheres, ..."
         self.meets = {}
         for part in schema["description"].split("; ")[0:]:
-            found = re.search(r"\ba (disk|sphere|rod|modal body)(?: meets)? (.*)", part)
+            found = re.search(r"\ba (disk|hollow-sphere|sphere|rod|modal body)(?: meets)? (.*)", part)
             if found:
                 names = re.split(r", | and ", found[2].replace("modal bodies", "modals"))
-                self.meets[found[1].split()[0]] = [name.removesuffix("s") for name in names]
+                self.meets[found[1].split()[0]] = [name.removesuffix("s").replace(" ", "-") for name in names]
 
     def call(self, seed):
         """The words of a call, the same ones for the same seed."""

@@ -14,7 +14,7 @@ KNOWN = []
 # Options of every command that do not change what is computed.
 PLAIN = {"help", "quiet", "output", "resume", "threads", "trajectory", "every", "format"}
 # Those that follow from the kinds or that a command must have.
-DRAWN = {"body", "poisson", "rigid-body", "loss-time", "quality", "relaxation", "young-is", "material", "radius", "young", "density", "length", "area",
+DRAWN = {"body", "poisson", "rigid-body", "loss-time", "quality", "relaxation", "young-is", "material", "radius", "inner", "young", "density", "length", "area",
          "plane", "against", "speed", "height", "angle", "tangential", "friction", "mode", "flight-time",
          "gravity", "temperature", "extra-mass", "roughness", "u0", "coat", "coat-young", "coat-poisson", "coat-quality", "yield-strength", "yield-hardening", "yield-rate", "spectrum", "compression", "ratio", "oblique", "predict", "c-p", "c-s"}
 
