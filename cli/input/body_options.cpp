@@ -97,8 +97,7 @@ void BodyOptions::add_dynamics_to(CLI::App& command) {
              "WHICH", "Body");
   add(command, "--extra-mass", numbers_["extra_mass"],
       "Mass fixed to a sphere that moves as it does on average, as of a hammer\n(default: 0); in density radius^3, "
-      "with "
-      "a material in kg",
+      "with a material in kg",
       "M", "Body");
   add(command, "--roughness", numbers_["roughness"],
       "rms height of the elastic asperities of its face, in R, with a material\nin m (default: 0, smooth): their "

@@ -232,21 +232,4 @@ bool meets(const Kind& first, const Kind& against) {
   return first.bounded && (against.wall || first.contour == against.contour);
 }
 
-std::string who_meets_whom() {
-  std::string text;
-  for (const Kind& first : kinds()) {
-    if (!first.bounded) continue;
-    text += (text.empty() ? "a " : "; a ") + std::string(first.name) + (first.from_file ? " body" : "") +
-            (text.empty() ? " meets " : " ");
-    std::vector<std::string_view> others;
-    for (const Kind& other : kinds()) {
-      if (!other.wall && meets(first, other)) others.push_back(other.plural);
-    }
-    for (std::size_t i = 0; i < others.size(); ++i) {
-      text += (i == 0 ? "" : i + 1 == others.size() ? " and " : ", ") + std::string(others[i]);
-    }
-  }
-  return text;
-}
-
 }  // namespace stoss

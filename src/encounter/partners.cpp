@@ -11,17 +11,20 @@
 namespace stoss {
 namespace {
 
+/// Names after each other, with a word before the last: "a, b or c".
+std::string joined(const std::vector<std::string>& names, const std::string& last) {
+  std::string text = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i) text += (i + 1 == names.size() ? last : ", ") + names[i];
+  return text;
+}
+
 /// "sphere or half-space": what a body meets besides walls and its like.
-/// @param before what is said before these
-std::string partners_of(const Kind& first, std::string before = {}) {
-  std::vector<std::string> names;
+/// @param names that are said before these
+std::string partners_of(const Kind& first, std::vector<std::string> names = {}) {
   for (const Kind& each : kinds()) {
     if (!each.wall && meets(first, each)) names.emplace_back(each.name);
   }
-  for (const std::string& name : names) {
-    before += (before.empty() ? "" : name == names.back() ? " or " : ", ") + name;
-  }
-  return before;
+  return joined(names, " or ");
 }
 
 void require_partner(const Encounter& encounter) {
@@ -34,7 +37,7 @@ void require_partner(const Encounter& encounter) {
   const Kind& against = kind(encounter.against.kind);
   if (meets(first, against)) return;
   throw InvalidInput::out_of_range("against", std::string(against.name) + " for a " + std::string(first.name),
-                                   partners_of(first, "wall, same"), who_meets_whom());
+                                   partners_of(first, {"wall", "same"}), who_meets_whom());
 }
 
 void require_rigid(const Participant& of) {
@@ -79,6 +82,21 @@ void require_units(const Encounter& encounter) {
 }
 
 }  // namespace
+
+std::string who_meets_whom() {
+  std::string text;
+  for (const Contour contour : {Contour::cylinder, Contour::ball, Contour::flat}) {
+    std::vector<std::string> firsts, others;
+    for (const Kind& each : kinds()) {
+      if (each.wall || each.contour != contour) continue;
+      if (each.bounded) firsts.push_back(std::string(each.name) + (each.from_file ? " body" : ""));
+      others.emplace_back(each.plural);
+    }
+    text += (text.empty() ? "a " : "; a ") + joined(firsts, " or ") + (text.empty() ? " meets " : " ") +
+            joined(others, " and ");
+  }
+  return text;
+}
 
 void require_partners(const Encounter& encounter) {
   require_partner(encounter);

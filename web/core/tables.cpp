@@ -117,8 +117,7 @@ std::vector<NamedMaterial> materials_of_qualities() {
 val kinds(const Question&) {
   std::vector<Kind> here;
   std::copy_if(stoss::kinds().begin(), stoss::kinds().end(), std::back_inserter(here), is_here);
-  return val(
-      Json{{"kinds", here}, {"materials", materials_of_qualities()}, {"ranges", ranges_of_motions()}}.dump());
+  return val(Json{{"kinds", here}, {"materials", materials_of_qualities()}, {"ranges", ranges_of_motions()}}.dump());
 }
 
 }  // namespace

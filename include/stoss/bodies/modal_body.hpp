@@ -72,8 +72,8 @@ struct ModalBody {
   double complete_to = 0.0;           ///< ω up to which all modes that move the point are there
   bool has_bends = false;             ///< whether the χ are known
   std::vector<PointMode> modes;       ///< elastic ones in rising frequency
-  /// In clamps or on springs, so that it cannot move as a whole: its modes, from the lowest on, carry all that the point
-  /// does, c₀ is the compliance against what holds it, and `mass` is only that of its own, which no impact feels.
+  /// In clamps or on springs, so that it cannot move as a whole: its modes, from the lowest on, carry all that the
+  /// point does, c₀ is the compliance against what holds it, and `mass` is only that of its own, which no impact feels.
   bool held = false;
   /// Where friction can act on it. Without it only impacts without friction are computed, as they are where a mode, or
   /// turning, moves the point in both directions at once: its normal motion must not feel friction.

@@ -81,7 +81,7 @@ inline constexpr std::size_t most_layers = 20;
 /// Whether a body of one kind meets what is of the other.
 [[nodiscard]] bool meets(const Kind& first, const Kind& against);
 
-/// "a disk meets disks and half-planes; a sphere …": of all kinds that can be the first.
+/// "a disk meets disks and half-planes; a sphere or …": of all kinds that can be the first.
 [[nodiscard]] std::string who_meets_whom();
 
 }  // namespace stoss

@@ -39,13 +39,15 @@ class Drawer:
         self.firsts, self.partners = ({b["properties"]["kind"]["const"]: b["properties"]
                                        for b in schema["properties"][side]["oneOf"] if "properties" in b}
                                       for side in ("first", "against"))
-        # "a disk meets disks, half-planes and strips; a sphere spheres, ..."
+        # "a disk meets disks, half-planes and strips; a sphere or modal body spheres, ..."
         self.meets = {}
         for part in schema["description"].split("; ")[0:]:
-            found = re.search(r"\ba (disk|hollow-sphere|sphere|rod|modal body)(?: meets)? (.*)", part)
-            if found:
-                names = re.split(r", | and ", found[2].replace("modal bodies", "modals"))
-                self.meets[found[1].split()[0]] = [name.removesuffix("s").replace(" ", "-") for name in names]
+            found = re.search(r"\ba (.*?)(?: meets)? ((?:disks|spheres|rods).*)", part)
+            if not found:
+                continue
+            names = re.split(r", | and ", found[2].replace("modal bodies", "modals"))
+            partners = [name.removesuffix("s").replace(" ", "-") for name in names]
+            self.meets |= {first.split()[0]: partners for first in re.split(r", | or ", found[1])}
 
     def call(self, seed):
         """The words of a call, the same ones for the same seed."""

@@ -188,7 +188,7 @@ def test_refusals(call, name):
             function(**{**given, name: value})
             pytest.fail(f"{name}={value!r} is taken")
         message = str(caught.value)
-        assert message.isprintable() and len(message) < 400, message  # one line
+        assert message.isprintable() and len(message) < 300, message  # one line
         stem = AS_WRITTEN.get(name, re.escape(name.removesuffix("es").removesuffix("s")) + r"\w*")
         assert re.match(rf"(number of )?{stem}[^:]*: (got .+, allowed .+|missing.+|.+)", message), (value, message)
         assert isinstance(caught.value, ValueError) and caught.value.__cause__ is None
