@@ -1,7 +1,7 @@
 // Hollow spheres are not computed here: with them the page would load later than it may. All spheres are solid.
+#include "encounter/shells.hpp"
 #include "bodies/sphere/hole/hole.hpp"
 #include "bodies/sphere/mode_search.hpp"
-#include "encounter/shells.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/quasistatic/yield.hpp"
 
