@@ -25,6 +25,7 @@ TASKS = {
     "python": (sys.executable, "-c", ""),
     "python, import numpy": (sys.executable, "-c", "import numpy"),
     "python, import stoss": (sys.executable, "-c", "import stoss"),
+    "python, its first value": (sys.executable, "-c", "import stoss; stoss.restitution(stoss.Disk(poisson=0.33), speed=0.1)"),
 }
 
 

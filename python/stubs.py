@@ -104,13 +104,23 @@ def of_solids(solids: Any, fields_of: Any, kinds: Any) -> str:
     return "\n".join([*lines, ""])
 
 
+def of_package(modules: Any) -> str:
+    """The stub of the package, which imports what it has when that is asked for."""
+    lines = ["from stoss import plot as plot, quasistatic as quasistatic", "from stoss.plot import animate as animate"]
+    for module, names in modules.items():
+        lines.append(f"from stoss.{module} import {', '.join(f'{name} as {name}' for name in names.split())}")
+    return "\n".join([*lines, "", "__version__: str", ""])
+
+
 def stubs() -> dict[str, str]:
     """All of them, by their places in the package that can be imported."""
+    import stoss
     from stoss import _core
     from stoss.bodies import _kinds, _solids
     from stoss.results import _quantities
 
     return {
+        "__init__.pyi": of_package(stoss._MODULES),
         "_core.pyi": of_core(_core),
         "bodies/_solids.pyi": of_solids(_solids, _kinds.fields_of, _kinds.KINDS),
         "results/_quantities.pyi": of_quantities(_quantities),

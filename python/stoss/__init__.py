@@ -54,79 +54,69 @@ written.
 ================================  ==================================================================
 """
 
-# ruff: noqa: E402, F822 (_starting must come first; plot and animate come from __getattr__)
+# ruff: noqa: E402, F822 (_starting must come first; __getattr__ has the names)
 from stoss import _starting
 
 _starting.end_quietly()  # before what takes long
 
 import importlib
 
-from stoss import quasistatic
-from stoss._core import version as __version__
-from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
-from stoss.bodies._bodies import Body, Disk, HollowSphere, Rod, Sphere
-from stoss.bodies._material import Material, Scales, materials
-from stoss.bodies._measurement import FittedRelaxation, relaxation_of_measurement, shifted
-from stoss.bodies._modal import ModalBody
-from stoss.bodies._walls import ExponentialWall, HalfPlane, HalfSpace, HardWall, Layer, Plate, Strip, Wall
-from stoss.bodies._state import Oscillation
-from stoss.calibration._calibration import CalibratedConstant, Calibration, calibrate
-from stoss.export._csv import Table, read_csv
-from stoss.export._tables import with_error
-from stoss.results._adaptive_rule import collision_rule
-from stoss.laws._fit import Fit, Misfit, fit
-from stoss.results._atlas import AtlasValue, atlas
-from stoss.results._bounce import Bounces, bounce
-from stoss.results._restitution import Restitution, restitution
-from stoss.results._distribution import RestitutionDistribution, restitution_distribution
-from stoss.results._field import DiskField, Field, SphereField, Trajectory, Wave
-from stoss.results._function import RestitutionFunction, restitution_function
-from stoss.results._impact import Impact, impact
-from stoss.results._modes import Modes, modes
-from stoss.results._oblique import ObliqueRestitution, oblique
-from stoss.results._oblique_impact import ObliqueImpact, ObliqueTrajectory, oblique_impact
-from stoss.results._obliquity import ObliqueLedger
-from stoss.results._pair_table import PairTable, pair_table
-from stoss.results._prediction import Influence, Prediction, predict
-from stoss.results._pulse import Pulse, pulse
-from stoss.results._result import Result
-from stoss.results._rod_chain import RodChain, rod_chain
-from stoss.rows._row import Row, row
-from stoss.rows._row_impact import RowImpact, row_impact
-from stoss.results._rule import CollisionRule
-from stoss.results._seismogram import Seismogram
-from stoss.results._sound import Sound
-from stoss.sweeps._grid import Grid
-from stoss.sweeps._sweep import sweep
-from stoss.sweeps._values import Sweep, merge, open_sweep
+# What the package has, by the modules that it is imported from when it is asked for.
+_MODULES = {
+    "_errors": "Interrupted InvalidInput NotConverged StossWarning",
+    "bodies._bodies": "Body Disk HollowSphere Rod Sphere",
+    "bodies._material": "Material Scales materials",
+    "bodies._measurement": "FittedRelaxation relaxation_of_measurement shifted",
+    "bodies._modal": "ModalBody",
+    "bodies._state": "Oscillation",
+    "bodies._walls": "ExponentialWall HalfPlane HalfSpace HardWall Layer Plate Strip Wall",
+    "calibration._calibration": "CalibratedConstant Calibration calibrate",
+    "export._csv": "Table read_csv",
+    "export._tables": "with_error",
+    "laws._fit": "Fit Misfit fit",
+    "results._adaptive_rule": "collision_rule",
+    "results._atlas": "AtlasValue atlas",
+    "results._bounce": "Bounces bounce",
+    "results._distribution": "RestitutionDistribution restitution_distribution",
+    "results._field": "DiskField Field SphereField Trajectory Wave",
+    "results._function": "RestitutionFunction restitution_function",
+    "results._impact": "Impact impact",
+    "results._modes": "Modes modes",
+    "results._oblique": "ObliqueRestitution oblique",
+    "results._oblique_impact": "ObliqueImpact ObliqueTrajectory oblique_impact",
+    "results._obliquity": "ObliqueLedger",
+    "results._pair_table": "PairTable pair_table",
+    "results._prediction": "Influence Prediction predict",
+    "results._pulse": "Pulse pulse",
+    "results._restitution": "Restitution restitution",
+    "results._rod_chain": "RodChain rod_chain",
+    "results._rule": "CollisionRule",
+    "results._seismogram": "Seismogram",
+    "results._sound": "Sound",
+    "rows._row": "Row row",
+    "rows._row_impact": "RowImpact row_impact",
+    "sweeps._grid": "Grid",
+    "sweeps._sweep": "sweep",
+    "sweeps._values": "Sweep merge open_sweep",
+}
+_PLACES = {name: module for module, names in _MODULES.items() for name in names.split()}
+_PLACES |= {"quasistatic": "", "plot": "", "animate": "plot"}
 
-__all__ = [
-    "AtlasValue", "Body", "Bounces", "CalibratedConstant", "Calibration", "CollisionRule", "Disk", "DiskField", "ExponentialWall",
-    "Field", "Fit", "FittedRelaxation", "Grid", "HalfPlane", "HalfSpace", "HardWall", "HollowSphere", "Impact",
-    "Influence", "Interrupted", "InvalidInput", "Layer", "Material", "Misfit", "ModalBody", "Modes", "NotConverged",
-    "ObliqueImpact", "ObliqueLedger", "ObliqueRestitution", "ObliqueTrajectory", "Oscillation",
-    "PairTable", "Plate", "Prediction", "Pulse", "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod",
-    "RodChain", "Row", "RowImpact", "Scales", "Seismogram", "Sound", "Sphere", "SphereField", "StossWarning", "Strip", "Sweep", "Table",
-    "Trajectory", "Wall", "Wave",
-    "__version__", "animate", "atlas", "bounce", "calibrate", "collision_rule",
-    "fit", "impact", "materials", "merge", "modes", "oblique", "oblique_impact", "open_sweep",
-    "pair_table", "plot", "predict", "pulse", "quasistatic", "read_csv", "relaxation_of_measurement", "restitution",
-    "restitution_distribution", "restitution_function", "rod_chain", "row", "row_impact", "shifted", "sweep",
-    "with_error",
-]  # fmt: skip
+__all__ = [*_PLACES, "__version__"]
 
 
 def __getattr__(name: str) -> object:
-    """Matplotlib is only loaded when a picture is asked for."""
-    if name in ("plot", "animate"):
-        plot = importlib.import_module("stoss.plot")
-        return plot if name == "plot" else plot.animate
-    raise AttributeError(f"module 'stoss' has no attribute {name!r}")
+    """Imports what is asked for: with all of it, NumPy and tables of the core, a program begins three times as late."""
+    if name == "__version__":
+        value: object = importlib.import_module("stoss._core").version
+    elif name in _PLACES:
+        module = importlib.import_module(f"stoss.{_PLACES[name] or name}")
+        value = getattr(module, name) if _PLACES[name] else module
+    else:
+        raise AttributeError(f"module 'stoss' has no attribute {name!r}")
+    globals()[name] = value
+    return value
 
 
-def _draw(result: Result, ax: object, name: str) -> object:
-    pictures = importlib.import_module("stoss.plot").PICTURES
-    return next(pictures[kind, name] for kind in type(result).__mro__ if (kind, name) in pictures)(result, ax)
-
-
-Result._draw = _draw
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import importlib
 import os
 import re
 from typing import Any, Callable, ClassVar, Iterator, Mapping
@@ -31,7 +32,7 @@ def picture(said: str, name: str = "plot") -> Callable[..., Any]:
     """The method of that name, which draws the result in `ax`, matplotlib Axes (None: a new figure)."""
 
     def drawn(self: Result, ax: Any = None) -> Any:
-        return type(self)._draw(self, ax, name)
+        return self._draw(ax, name)
 
     drawn.__name__, drawn.__doc__ = name, said
     return drawn
@@ -46,10 +47,14 @@ class Result:
     _units: ClassVar[Mapping[str, str]] = {}  # of columns of which the core knows nothing
     _axis: ClassVar[str] = "row"  # along which its columns run
     _told: ClassVar[tuple[str, ...]] = ()  # what made it, for the head of the CSV; what is None is left out
-    _draw: ClassVar[Callable[[Any, Any, str], Any]]  # set by the package: results know no pictures
 
     def __init_subclass__(cls) -> None:
         with_fields(cls)
+
+    def _draw(self, ax: Any, name: str) -> Any:
+        """Matplotlib is only loaded when a picture is asked for."""
+        pictures = importlib.import_module("stoss.plot").PICTURES
+        return next(pictures[kind, name] for kind in type(self).__mro__ if (kind, name) in pictures)(self, ax)
 
     def to_dict(self) -> dict[str, Any]:
         """Return all that the result holds in plain Python types, ready for json.

@@ -107,7 +107,7 @@ class RowImpact(OfALine):
 
     def animate(self, path: str | os.PathLike[str], **options: Any) -> Any:
         """Write a film of the bodies and the forces between them. See `stoss.animate`, which has the options."""
-        return type(self)._draw(self, functools.partial(_written, path, options), "animate")
+        return self._draw(functools.partial(_written, path, options), "animate")
 
     def __len__(self) -> int:
         return self.time.size

@@ -2,6 +2,7 @@
 
 import pytest
 import stoss
+import stoss.bodies._encounter
 
 SOFT = {"coat": 0.002, "coat_young": 0.01, "coat_poisson": 0.45, "coat_quality": 8}
 

@@ -10,6 +10,8 @@ import pickle
 import numpy as np
 import pytest
 import stoss
+import stoss.bodies._encounter
+import stoss._core
 from wrong_values import NUMBERS as NO_NUMBERS
 from wrong_values import SEVERAL
 

@@ -31,7 +31,7 @@ NASTY = [
 EMPTY = ["core.Encounter.__new__(core.Encounter).refinable()", "pickle.dumps(handle, 1)", "pickle.dumps(hit._handle, 0)", "core.Frames.__new__(core.Frames).summaries()",
          "repr(core.Impact.__new__(core.Impact).modes())"]
 CHILD = """
-import copy, gc, pickle, threading, numpy as np, stoss
+import copy, gc, pickle, threading, numpy as np, stoss, stoss._core
 core, nan, two = stoss._core, float("nan"), np.array([0.1, 0.2])
 hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=6)
 energies, handle = hit.mode_energies, hit._handle

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
 import stoss
+import stoss._core
 from test_refusals import CALLS
 
 # An example that takes longer than five seconds is a defect too.

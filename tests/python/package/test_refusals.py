@@ -8,6 +8,7 @@ import re
 import numpy as np
 import pytest
 import stoss
+import stoss._core
 from stoss import quasistatic
 from wrong_values import BODIES, FLAGS, INTEGERS, NUMBERS, SEVERAL, WORDS, inf, nan
 

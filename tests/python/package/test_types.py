@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import stoss
+import stoss._core
 
 OPAQUE = ("Contact", "Encounter", "Frames", "GivenRow", "Impact", "ObliqueImpact", "PairTable", "Pulse",
           "RefinableContact", "RestitutionFunction", "RodChain", "RuleTable", "SlowLaw")  # fmt: skip

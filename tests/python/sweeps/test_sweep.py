@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import stoss
+import stoss._core
 
 BALLS = {"kind": "sphere", "poisson": [0.1, 0.3]}
 STEEL = stoss.materials["structural steel"]

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 import stoss
+import stoss.sweeps._store
 from stoss.sweeps._rows import Layout
 from stoss.sweeps._tasks import Worker
 from sweep_command import SMALL, command  # noqa: F401 (a fixture)

@@ -9,6 +9,7 @@ import sys
 import pytest
 
 import stoss
+import stoss.sweeps._sweep
 from sweep_grids import TOMLS, grid_of
 
 

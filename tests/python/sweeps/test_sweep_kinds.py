@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import stoss
+import stoss.sweeps._bodies
 from stoss._subcommands import sample
 from sweep_command import command  # noqa: F401 (a fixture)
 from sweep_grids import RING, TOMLS, direct, grid_of
