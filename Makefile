@@ -1,7 +1,7 @@
 # The short way in. Everything here can also be done with the CMake presets (cmake --list-presets).
 .DEFAULT_GOAL := help
 .PHONY: help setup build python modal-tools demo web web-serve wheel npm static deb try test test-fast test-friends test-long coverage systems bench bench-compare \
-	calibrate validate results docs paper paper-quick format lint install uninstall clean
+	calibrate validate results docs paper paper-quick format lint release install uninstall clean
 
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
@@ -161,6 +161,13 @@ uninstall: ## remove from PREFIX what `make install` put there
 deb: $(if $(findstring nodoc,$(DEB_BUILD_PROFILES)),,docs) ## Debian packages, checked by lintian: build/deb (DEB_BUILD_PROFILES=nodoc: all but stoss-doc)
 	@scripts/install-dependencies.sh deb
 	@scripts/deb.sh $(JOBS)
+
+release: ## test all, write and tag VERSION=2.0.0, make every package, and say what is left to a person
+	@scripts/release.sh --check "$(VERSION)"
+	@$(MAKE) --no-print-directory test-long
+	@scripts/release.sh "$(VERSION)"
+	@$(MAKE) --no-print-directory deb wheel npm static docs
+	@scripts/release.sh --left "$(VERSION)"
 
 clean: ## remove build and output folders
 	@rm -rf build out

@@ -1,14 +1,33 @@
 #!/usr/bin/env bash
 # Makes a release of what is committed: writes its version and its date wherever a file names them, commits that and
 # tags it. The version stands in CMakeLists.txt; what names it again is held to it by tests/docs/test_versions.py. With
-# --check nothing is changed, and what stands in the way is said. Nothing is pushed or published.
-#   release.sh [--check] VERSION
+# --check nothing is changed, and what stands in the way is said; --left says what is left to a person after `make
+# release`. Nothing is pushed or published.
+#   release.sh [--check | --left] VERSION
 set -euo pipefail
 cd "$(dirname "$0")/.."
-check=no
-if [ "${1:-}" = --check ]; then check=yes && shift; fi
+only=
+case ${1:-} in --check | --left) only=$1 && shift ;; esac
 version=${1:-}
 [[ $version =~ ^[0-9]+\.[0-9]+\.[0-9]+$ ]] || { echo "release: VERSION: got '$version', allowed three numbers: 2.0.0" >&2; exit 2; }
+
+if [ "$only" = --left ]; then
+  git rev-parse -q --verify "refs/tags/v$version" >/dev/null ||
+    { echo "release: VERSION: got $version, which has no tag v$version (make release VERSION=$version)" >&2; exit 1; }
+  cat <<END
+release: $version is tagged, and its packages are in build/dist, build/deb, build/static and build/docs. Left to you:
+  - CITATION.cff and docs/paper/paper.md: people, their ORCID and the repository, where they are placeholders
+  - the tag, signed with your key: git tag -f -s v$version v$version^{} -m "stoss $version"
+  - git push --follow-tags, with your rights to the repository; then a release of it with build/static/stoss
+  - build/deb: debsign with your key, and dput to an archive that takes them
+  - build/dist/*.whl and *.tar.gz: twine upload, with a token of the Python package index
+  - build/dist/*.tgz: npm publish, with a token of the npm registry
+  - build/docs: to the server of the site
+  - a DOI of the archive of the tag, for CITATION.cff; the paper to its journal
+To take it back before anything is pushed: git tag -d v$version && git reset --hard HEAD~1
+END
+  exit
+fi
 
 faults=0
 refuse() { echo "release: $*" >&2; faults=1; }
@@ -38,7 +57,7 @@ if grep -q '^# Placeholders' CITATION.cff; then
   echo "release: note: CITATION.cff has placeholders for people and repository; fill them in where they are known"
 fi
 [ $faults = 0 ] || exit 1
-if [ $check = yes ]; then
+if [ -n "$only" ]; then
   echo "release: $version can follow ${last:-no release}; make test-long must pass first"
   exit 0
 fi
@@ -59,4 +78,4 @@ if ! head -n 1 debian/changelog | grep -q "^stoss ($version-"; then
 fi
 git commit -qam "Release $version"
 git tag -a "v$version" -m "stoss $version"
-echo "release: $version is committed and tagged v$version; git push --follow-tags publishes it"
+echo "release: $version is committed and tagged v$version"

@@ -101,6 +101,26 @@ def test_a_release_writes_its_version_everywhere_and_tags_it(repository):
     assert repository.read("CITATION.cff").count("date-released") == 1
 
 
+def test_what_is_left_to_a_person_is_said_of_a_tag(repository):
+    before = repository.release("--left", NEW)
+    assert before.returncode == 1 and f"which has no tag v{NEW}" in before.stderr and before.stdout == ""
+    assert repository.release(NEW).returncode == 0
+    after = repository.release("--left", NEW)
+    assert after.returncode == 0 and after.stderr == ""
+    for word in ("CITATION.cff", "key", "git push", "debsign", "twine", "npm publish", "build/docs", "DOI"):
+        assert word in after.stdout, word
+
+
+def test_make_release_does_it_in_this_order():
+    text = (ROOT / "Makefile").read_text(encoding="utf-8")
+    lines = text.partition("\nrelease:")[2].partition("\n\n")[0].splitlines()[1:]
+    steps = [" ".join(line.split()).removeprefix("@").replace("$(MAKE) --no-print-directory", "make") for line in lines]
+    assert steps == [
+        'scripts/release.sh --check "$(VERSION)"', "make test-long", 'scripts/release.sh "$(VERSION)"',
+        "make deb wheel npm static docs", 'scripts/release.sh --left "$(VERSION)"',
+    ]  # fmt: skip
+
+
 def test_the_version_of_the_sources_can_be_released():
     done = subprocess.run([ROOT / "scripts/release.sh", "--check", OLD], capture_output=True, text=True, timeout=60)
     faults = [line for line in done.stderr.splitlines() if not line.startswith("release: tree: got ")]
