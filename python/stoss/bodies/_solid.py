@@ -99,8 +99,8 @@ class Solid:
         for name, value in fields.items():
             object.__setattr__(self, name, value)
         numbers = {each.name: fields[each.name] for each in kind.parameters}
-        still_open = 0.25  # is in the range of all numbers that may be
-        _core.check_solid(self._kind, {name: still_open if of is None else of for name, of in numbers.items()})
+        placeholder = 0.25  # is in the range of all numbers that may be
+        _core.check_solid(self._kind, {name: placeholder if of is None else of for name, of in numbers.items()})
         _core.check_face(self.roughness, self.u0)
         if own:
             rigid_too = {"rigid": True} if fields.get("rigid") else {}

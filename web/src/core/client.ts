@@ -1,7 +1,7 @@
 // The core in workers: what is asked often does not wait for what takes long, and a first value not for the whole core.
 import { type CompiledCore, compile, instantiate } from 'stoss';
 import firstQuestions from 'stoss/first.wasm?url';
-import { createLane, type Fellow, type Lane } from './lane';
+import { createLane, type WorkerPort, type Lane } from './lane';
 import { setLocal } from './local';
 import type { Core, Questions } from './protocol';
 import { withWarmUp } from './warm_up';
@@ -17,7 +17,7 @@ export async function createCore(answered: () => void): Promise<Core> {
     loading = undefined; // to be tried again
     throw error;
   }));
-  const lane = (module: () => Promise<CompiledCore>): Lane => createLane((): Fellow => new CoreWorker(), module);
+  const lane = (module: () => Promise<CompiledCore>): Lane => createLane((): WorkerPort => new CoreWorker(), module);
   const ready = (): Promise<CompiledCore> => Promise.resolve(first);
   const film = lane(whole);
   // A value must be there at once, while films, curves and tables take their time.

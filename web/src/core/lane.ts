@@ -18,7 +18,7 @@ export type FromWorker =
   | { kind: 'broken'; line: string };
 
 /** What a lane needs of a Worker. */
-export interface Fellow {
+export interface WorkerPort {
   postMessage(message: ToWorker): void;
   terminate(): void;
   onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
@@ -47,15 +47,15 @@ export const silence = 5;
 const startup = 30;
 
 /** @param module is asked for with every worker that starts */
-export function createLane(spawn: () => Fellow, module: () => Promise<CompiledCore>): Lane {
+export function createLane(spawn: () => WorkerPort, module: () => Promise<CompiledCore>): Lane {
   const waiting: Task[] = [];
   let current: Task | undefined;
-  let worker: Fellow | undefined;
+  let worker: WorkerPort | undefined;
   let heard = false; // whether the worker has said anything yet
   let loaded = false; // whether it has the core
   let clock: ReturnType<typeof setTimeout> | undefined;
 
-  function start(): Fellow {
+  function start(): WorkerPort {
     const fresh = spawn();
     worker = fresh;
     heard = loaded = false;

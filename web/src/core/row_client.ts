@@ -1,6 +1,6 @@
 // The core for the page of the cradle: one module, that of all questions, and a worker for what is computed.
 import { compile, instantiate } from 'stoss';
-import { createLane, type Fellow, type Lane } from './lane';
+import { createLane, type WorkerPort, type Lane } from './lane';
 import { setLocal } from './local';
 import type { Core, RowCore } from './protocol';
 import CoreWorker from './worker?worker&inline';
@@ -9,7 +9,7 @@ import CoreWorker from './worker?worker&inline';
 export async function createRowCore(): Promise<{ rows: RowCore; pairs: Core }> {
   const module = await compile();
   setLocal(await instantiate(module));
-  const lane = (): Lane => createLane((): Fellow => new CoreWorker(), () => Promise.resolve(module));
+  const lane = (): Lane => createLane((): WorkerPort => new CoreWorker(), () => Promise.resolve(module));
   const [rows, pairs] = [lane(), lane()];
   return {
     rows: (question, row, given, signal) =>

@@ -1,6 +1,6 @@
 // A lane ends what is aborted, and replaces a worker that dies.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { createLane, type Fellow, type FromWorker, type Lane, patience, silence, type ToWorker }
+import { createLane, type WorkerPort, type FromWorker, type Lane, patience, silence, type ToWorker }
   from '../../src/core/lane';
 import { type Call, CoreError } from '../../src/core/protocol';
 
@@ -8,9 +8,9 @@ const module = async (): Promise<object> => ({});
 const call = (speed: number): Call => ({ question: 'restitution', given: { speed } });
 
 /** A worker that answers when the test says so. */
-class Fake implements Fellow {
-  onmessage: Fellow['onmessage'] = null;
-  onerror: Fellow['onerror'] = null;
+class Fake implements WorkerPort {
+  onmessage: WorkerPort['onmessage'] = null;
+  onerror: WorkerPort['onerror'] = null;
   calls: Call[] = [];
   alive = true;
   postMessage(message: ToWorker): void {
