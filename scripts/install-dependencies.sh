@@ -35,8 +35,8 @@ add() {
       gfortran python3-scipy python3-numba python3-netcdf4 python3-xarray
       clang libclang-rt-dev clang-format lld chromium "${node[@]}"
     ) ;;
-  engines) packages+=(chipmunk-dev libbox2d-dev libbullet-dev "${node[@]}") ;;
-  particles) packages+=(lammps liggghts libmujoco-dev python3-scipy) ;;
+  engines) packages+=(chipmunk-dev libbox2d-dev libbullet-dev libode-dev "${node[@]}") ;;
+  particles) packages+=(lammps liggghts libmujoco-dev libsimbody-dev python3-scipy) ;;
   modal)
     add python
     packages+=(

@@ -20,15 +20,6 @@
 namespace stoss::cli {
 namespace {
 
-bool is_code(const std::string& format) { return format == "c" || format == "rust" || format == "js"; }
-
-template <typename Table>
-std::string code(const TableArguments& arguments, const TableJob& job, const Table& table) {
-  const TableLabel its = label(arguments, job);
-  if (arguments.format == "rust") return rust_module(table, its);
-  return arguments.format == "js" ? js_module(table, its) : c_header(table, its);
-}
-
 void check_format(const TableArguments& arguments) {
   for (const std::string option : {"tolerance", "friction"}) {
     if (arguments.oblique || !given(*arguments.command, "--" + option)) continue;
@@ -49,10 +40,6 @@ void check_format(const TableArguments& arguments) {
     throw InvalidInput::out_of_range(fmt::format("{}", option), fmt::format("--{} with --format {}", option, format),
                                      fmt::format("only with {}", allowed));
   };
-  if (arguments.oblique && (format == "rust" || format == "js")) {
-    throw InvalidInput::out_of_range("format", fmt::format("{} with --oblique", format),
-                                     "c, two-column, json or netcdf", "the whole collision rule is not written in it");
-  }
   require("name", is_code(format), "--format c, rust or js");
   require("ratio", format != "two-column", "c, rust, js, json and, with --oblique, netcdf");
   require("beyond", is_code(format) || format == "json", "c, rust, js and json (who reads the values decides)");
@@ -156,7 +143,7 @@ void add_form(CLI::App& command, TableArguments& arguments) {
   add_choice(command, "--format", arguments.format, {"c", "rust", "js", "two-column", "json", "netcdf"},
              "Form of the table (default: c)\n"
              "  c:          a header in C89 and C++, of plain functions\n"
-             "  rust, js:   the same functions as a module, not with --oblique\n"
+             "  rust, js:   the same functions as a module\n"
              "  two-column: speed and eps, to be interpolated linearly in the speed;\n"
              "              with --oblique, at one speed: s/(MU v) and the same of s\n"
              "              after the collision, s the velocity of sliding\n"

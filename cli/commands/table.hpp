@@ -49,6 +49,19 @@ struct TableJob {
 /// What a table as code says of itself.
 [[nodiscard]] TableLabel label(const TableArguments& arguments, const TableJob& job);
 
+/// Whether a form is source code, whose names begin with --name.
+[[nodiscard]] inline bool is_code(const std::string& format) {
+  return format == "c" || format == "rust" || format == "js";
+}
+
+/// A table of any kind as code.
+template <typename Table>
+[[nodiscard]] std::string code(const TableArguments& arguments, const TableJob& job, const Table& table) {
+  const TableLabel its = label(arguments, job);
+  if (arguments.format == "rust") return rust_module(table, its);
+  return arguments.format == "js" ? js_module(table, its) : c_header(table, its);
+}
+
 /// What all kinds of table have besides their records. @param between how values between the knots are to be had
 /// @param error the greatest of ε
 [[nodiscard]] nlohmann::ordered_json json_head(const TableArguments& arguments, const TableJob& job,

@@ -76,7 +76,7 @@ std::string text_of_rule(const TableArguments& arguments, const TableJob& job) {
   }
   const RuleTable rule = rule_of(arguments, job);
   warn_of_wide_contacts(arguments, rule);
-  return arguments.format == "c" ? c_header(rule, label(arguments, job)) : as_json(arguments, job, rule);
+  return is_code(arguments.format) ? code(arguments, job, rule) : as_json(arguments, job, rule);
 }
 
 void write_netcdf_of_rule(const TableArguments& arguments, const TableJob& job) {

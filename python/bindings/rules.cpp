@@ -113,7 +113,7 @@ void bind_rules(py::module_& module) {
   def(rule, "errors", [](const RuleTable& self) {
     return std::pair(self.greatest_restitution_error(), self.greatest_sliding_error());
   });
-  bind_c_header(rule);
+  bind_code(rule);
   def(rule, "collide", {"encounter", "dimension", "velocity", "spin", "normal", "friction", "radius"},
       [](const RuleTable& self, const Encounter& encounter, int dimension, std::array<Doubles, 2> velocity,
          std::array<Doubles, 2> spin, const Doubles& normal, const Doubles& friction,

@@ -192,14 +192,19 @@ void bind_values(py::class_<Table>& table, const Names&... names) {
   def(table, "greatest_error", &Table::greatest_error);
 }
 
-/// The header in C of a table.
+/// A table as source code in each language.
 template <typename Table>
-void bind_c_header(py::class_<Table>& table) {
-  const auto header = [](const Table& self, const std::string& name, const std::string& unit, double scale,
-                         const std::vector<std::string>& provenance) {
-    return c_header(self, {.name = name, .unit = unit, .scale = scale, .provenance = provenance});
+void bind_code(py::class_<Table>& table) {
+  const auto bind = [&](const char* name, std::string (*write)(const Table&, const TableLabel&)) {
+    const auto text = [write](const Table& self, const std::string& prefix, const std::string& unit, double scale,
+                              const std::vector<std::string>& provenance) {
+      return write(self, {.name = prefix, .unit = unit, .scale = scale, .provenance = provenance});
+    };
+    def(table, name, {"name", "unit", "scale", "provenance"}, text);
   };
-  def(table, "c_header", {"name", "unit", "scale", "provenance"}, header);
+  bind("c_header", c_header);
+  bind("rust_module", rust_module);
+  bind("js_module", js_module);
 }
 
 inline Beyond to_beyond(const std::string& name) {

@@ -39,7 +39,7 @@ void bind_function(py::module_& module) {
   py::class_<RestitutionFunction> function(module, "RestitutionFunction", "Restitution against speed in c.");
   seal(function);
   bind_values(function, "speeds");
-  bind_c_header(function);
+  bind_code(function);
   def(function, "knots", &knots);
   def(function, "interpolation_errors",
       [](const RestitutionFunction& self) { return take(std::vector(self.values().interpolation_error)); });

@@ -81,6 +81,12 @@ TEST(GoldenTables, AreTheModulesThatAreStored) {
   expect_stored("clamped.mjs", js_module(function, clamped));
   expect_stored("alike.rs", rust_module(pairs, {.name = "alike"}));
   expect_stored("alike.mjs", js_module(pairs, {.name = "alike"}));
+  const TableLabel mixture{.name = "mixture", .unit = "m/s", .scale = 5172.19, .provenance = {"stoss", "", "as given"}};
+  const RuleTable of_a_mixture = test::golden_rule(true, Beyond::clamp), rule = test::golden_rule(false, Beyond::error);
+  expect_stored("mixture.rs", rust_module(of_a_mixture, mixture));
+  expect_stored("mixture.mjs", js_module(of_a_mixture, mixture));
+  expect_stored("plain.rs", rust_module(rule, {.name = "plain"}));
+  expect_stored("plain.mjs", js_module(rule, {.name = "plain"}));
 }
 
 const std::vector<double> speeds{0.0,   -0.0, 1e-310, 9e-5, 1e-4,    2e-4, -3e-4, 0.004, 0.00999,   0.01,       0.011,

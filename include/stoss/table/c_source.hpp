@@ -77,4 +77,9 @@ void validate(const TableLabel& label);
 /// @throws InvalidInput as above
 [[nodiscard]] std::string c_header(const RuleTable& rule, const TableLabel& label = {});
 
+/// The same as a module of Rust or JavaScript. Bodies are structures and objects with the fields of those in C.
+/// @throws InvalidInput as above
+[[nodiscard]] std::string rust_module(const RuleTable& rule, const TableLabel& label = {});
+[[nodiscard]] std::string js_module(const RuleTable& rule, const TableLabel& label = {});
+
 }  // namespace stoss

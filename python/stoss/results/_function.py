@@ -115,7 +115,25 @@ class RestitutionFunction(Evaluated):
         Examples:
             >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3), beyond="clamp").to_c("restitution.h")
         """
-        self._write_c(path, name)
+        self._write_code("c_header", path, name)
+
+    @documented
+    def to_rust(self, path: str | os.PathLike[str], *, name: str = "stoss") -> None:
+        """Write the function as a module of Rust with the functions of `to_c`; it needs nothing else.
+
+        Parameters:
+            name: Prefix of the names in Rust.
+        """
+        self._write_code("rust_module", path, name)
+
+    @documented
+    def to_js(self, path: str | os.PathLike[str], *, name: str = "stoss") -> None:
+        """Write the function as a module of JavaScript that exports the functions of `to_c`.
+
+        Parameters:
+            name: Prefix of the names in JavaScript.
+        """
+        self._write_code("js_module", path, name)
 
     @documented
     def to_two_column(self, path: str | os.PathLike[str], *, error: float | None = None) -> None:

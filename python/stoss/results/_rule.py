@@ -165,7 +165,25 @@ class CollisionRule(Evaluated):
             >>> rule = stoss.collision_rule(stoss.Sphere(poisson=0.3), speed=(1e-3, 1e-2))
             >>> rule.to_c("rule.h")
         """
-        self._write_c(path, name)
+        self._write_code("c_header", path, name)
+
+    @documented
+    def to_rust(self, path: str | os.PathLike[str], *, name: str = "stoss") -> None:
+        """Write the rule as a module of Rust with the functions of `to_c`; it needs nothing else.
+
+        Parameters:
+            name: Prefix of the names in Rust.
+        """
+        self._write_code("rust_module", path, name)
+
+    @documented
+    def to_js(self, path: str | os.PathLike[str], *, name: str = "stoss") -> None:
+        """Write the rule as a module of JavaScript that exports the functions of `to_c`.
+
+        Parameters:
+            name: Prefix of the names in JavaScript.
+        """
+        self._write_code("js_module", path, name)
 
     @documented
     def to_json(self, path: str | os.PathLike[str]) -> None:

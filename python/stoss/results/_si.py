@@ -89,11 +89,11 @@ class Evaluated(SpeedInSi):
     def __getstate__(self) -> dict[str, Any]:
         return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
 
-    def _write_c(self, path: Any, name: Any) -> None:
-        """A header in C. The file appears whole or not at all."""
+    def _write_code(self, language: str, path: Any, name: Any) -> None:
+        """Source code: `c_header`, `rust_module` or `js_module`. The file appears whole or not at all."""
         if not isinstance(name, str):
             raise refusal("name", name, "a str")
-        write_lines(path, [self._core.c_header(name, *self._given_unit, self._made_by())])
+        write_lines(path, [getattr(self._core, language)(name, *self._given_unit, self._made_by())])
 
 
 def in_c(body: Any, speed: NDArray[np.float64]) -> NDArray[np.float64]:

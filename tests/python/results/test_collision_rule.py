@@ -118,6 +118,10 @@ def test_header_in_c_has_the_unit_of_the_rule(steel, tmp_path):
     text = (tmp_path / "rule.h").read_text()
     assert "balls_rule_restitution(" in text and "balls_rule_collide_2d(" in text and "m/s" in text
     assert f"stoss {stoss.__version__}: collision rule" in text and "radius=0.005" in text
+    steel.to_rust(tmp_path / "rule.rs", name="balls")
+    steel.to_js(tmp_path / "rule.mjs", name="balls")
+    assert "pub fn balls_rule_collide_2d(" in (tmp_path / "rule.rs").read_text()
+    assert "export function balls_rule_collide_2d(" in (tmp_path / "rule.mjs").read_text()
 
 
 def test_files(rule, tmp_path):

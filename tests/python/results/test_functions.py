@@ -134,6 +134,16 @@ def test_header_has_the_unit_of_the_function(steel, tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["ball.h"]
 
 
+def test_modules_are_those_of_the_command(steel, tmp_path):
+    steel.to_rust(tmp_path / "ball.rs", name="ball")
+    steel.to_js(tmp_path / "ball.mjs", name="ball")
+    assert "pub fn ball_restitution(speed: f64) -> f64 {" in (tmp_path / "ball.rs").read_text()
+    text = (tmp_path / "ball.mjs").read_text()
+    assert "export function ball_restitution(speed) {" in text and "in m/s; its sign" in text
+    with pytest.raises(stoss.InvalidInput, match="name: got 1, allowed a str"):
+        steel.to_js(tmp_path / "x.mjs", name=1)
+
+
 def test_columns_are_as_accurate_as_asked_for(steel, tmp_path):
     for error in (None, 1e-2):
         steel.to_two_column(tmp_path / "ball.txt", error=error)
