@@ -8,18 +8,20 @@
 
 #include "contact/faces/coats.hpp"
 #include "contact/touch.hpp"
+#include "contact/unit_ratios.hpp"
 
 namespace stoss {
 namespace {
 
-/// The longest period of what is held, in R/c of the first body; 0 of what is not.
+/// The longest period of what is held, with the first body on it, in R/c of that; 0 of what is not.
 double slowest_swing(const Contact& contact) {
   if (!contact.second || !contact.second->held) return 0.0;
   double slowest = std::numeric_limits<double>::infinity();
   for (std::size_t k = contact.first_groups; k < contact.groups.size(); ++k) {
     for (const double omega : contact.groups[k].omega) slowest = std::min(slowest, omega);
   }
-  return 2.0 * std::numbers::pi / slowest;
+  const double carried = contact.first->mass / (contact.second->mass * units_of(contact, 1).mass);
+  return 2.0 * std::numbers::pi / slowest * std::sqrt(1.0 + carried);
 }
 
 double longest_duration(const Contact& contact) {

@@ -51,7 +51,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--point", **place, help="contact point, in the unit of the mesh")
     add("--normal", **place, help="outward normal of the surface there")
     add("--tangent", **place, help="direction of friction, along the surface: for oblique impacts")
-    add("--unit", choices=UNITS, default="m", help="of mesh, point and sizes (default m)")
+    add("--unit", choices=UNITS, help="of mesh, point and sizes (default m)")
     add("--material", metavar="NAME", help="one of stoss.materials; or these three:")
     add("--young", type=float, metavar="PA", help="Young's modulus")
     add("--poisson", type=float, metavar="NU", help="Poisson's ratio")
@@ -75,7 +75,7 @@ def _parser() -> argparse.ArgumentParser:
 def parse(words: Sequence[str]) -> argparse.Namespace:
     """The arguments, checked as far as they go without a mesh; lengths are in m afterwards."""
     given = _parser().parse_args(words)
-    unit = UNITS[given.unit]
+    unit = UNITS[given.unit or "m"]
     given.scale = unit
     _map_options.take_map(given)
     given.shape = _plates.plate_of(given, unit)

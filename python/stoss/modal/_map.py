@@ -86,7 +86,7 @@ def _told(
     """What one mesh tells of all points: of each a dictionary as a body file needs it, or why there is none."""
     kind = "coarse " if index else ""
     progress.say(f"{kind}mesh: {path}", lasting=False)
-    meshed = Meshed(given, index, path, sizes)
+    meshed = Meshed(given, progress, index, path, sizes)
     if places is None:
         places = places_on(meshed.skin, meshed.length, given.points)
         progress.say(f"{len(places.points)} points on the surface")

@@ -112,7 +112,11 @@ def _open(
     corners = gmsh.model.mesh.getElementsByType(types[0])[1].reshape(-1, 4 if types[0] == 4 else 10)
     inverted = int(np.sum(_inverted(types[0])))
     if inverted:
-        raise InvalidInput.conflict(path, f"{inverted} tetrahedra are inside out or flat")
+        raise InvalidInput.conflict(
+            path,
+            f"{inverted} of {len(corners)} tetrahedra are inside out or flat",
+            "smaller edges where the surface bends, straight ones (gmsh -order 1), or in Gmsh: Tools, Reverse mesh",
+        )
     tags, x, _ = gmsh.model.mesh.getNodes()
     parts = _parts(corners[:, :4].astype(np.int64))
     if parts > 1:

@@ -42,7 +42,7 @@ def _solve(
         progress.say(f"{kind}mesh: results of an earlier run, {progress.path}")
         return known
     progress.say(f"{kind}mesh: {path}", lasting=False)
-    meshed = Meshed(given, index, path, sizes)
+    meshed = Meshed(given, progress, index, path, sizes)
     surface = meshed.surface(given.point, given.normal, given.tangent)
     mean = 0.5 * sum(meshed.curvature(surface)) * meshed.length
     pressed = pressures(surface, mean, finer["widest"] / meshed.length if finer else None)

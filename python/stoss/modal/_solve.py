@@ -25,6 +25,9 @@ from stoss.modal._skin import Skin
 from stoss.modal._supports import holds
 from stoss.modal._surface import Surface
 
+LARGE = 10.0
+"""Diagonal in m of bodies that are more often in another unit."""
+
 Vector = NDArray[np.float64]
 
 
@@ -47,12 +50,19 @@ class Meshed:
         length: That in m by which its lengths are divided.
     """
 
-    def __init__(self, given: argparse.Namespace, index: int, path: str, sizes: Sizes | None) -> None:
+    def __init__(
+        self, given: argparse.Namespace, progress: Progress, index: int, path: str, sizes: Sizes | None
+    ) -> None:
         self.given, self.path, self.kind = given, path, "coarse " if index else ""
         thick = index == 0 and bool(given.coarse or not given.errors_unknown)
         names = sorted({each.surface for each in given.supports})
         unit = 1.0 if given.shape else given.scale
         mesh, self.length, self._surfaces = load(path, unit, given.point, sizes, MPI.COMM_WORLD, thick, names)
+        if index == 0 and given.unit is None and 2.0 * self.length > LARGE:
+            progress.say(
+                f"the body measures {2.0 * self.length:.3g} m from corner to corner, as no unit is given:"
+                " if its lengths are in mm, --unit mm"
+            )
         self.skin = Skin(displacements(mesh))
         self._held = [(each, self.skin.marked(self._surfaces[each.surface])) for each in given.supports]
 
