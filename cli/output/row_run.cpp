@@ -41,6 +41,7 @@ void RowRun::count(const Row& row) {
   const Value* value = find(plan_.columns, row, "restitution");
   if (has(plan_.columns, row, "converged", false) || std::isnan(number(*value))) ++marked_;
   if (has(plan_.columns, row, "stays", true)) stays_ = true;
+  if (value && number(*value) > 0.0) least_ = std::min(least_, number(*value));
   const auto note = [&](const char* flag, const char* quantity, double& greatest) {
     if (has(plan_.columns, row, flag, true)) greatest = std::max(greatest, number(*find(plan_.columns, row, quantity)));
   };
@@ -82,6 +83,9 @@ void RowRun::add(const Row& row, const nlohmann::ordered_json& details, const st
 
 void RowRun::conclude() const {
   if (stays_) options_.output.warn(note_of_staying());
+  if (plan_.encounter && plan_.encounter->against.kind == "plate") {
+    if (const std::string note = note_of_a_plate(least_); !note.empty()) options_.output.warn(note);
+  }
   if (strain_ > 0.0) options_.output.warn_of_strain(strain_);
   if (turned_ > 0.0) options_.output.warn_of_turning(turned_);
   if (plan_.encounter && fastest_ > 0.0) warn_of_materials(options_.output, *plan_.encounter, fastest_);

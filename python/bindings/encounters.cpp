@@ -161,6 +161,7 @@ void bind_encounters(py::module_& module) {
       [](const std::string& name, const std::string& text) { return parse_series(name, text); });
   def(module, "who_meets_whom", &who_meets_whom);
   def(module, "note_of_staying", &note_of_staying);
+  def(module, "note_of_a_plate", {"restitution"}, &note_of_a_plate);
   def(module, "units", {"kind", "si"}, &units);
   def(module, "check_solid", {"kind", "numbers"},
       [](const std::string& of, const Values& numbers) { (void)maker(kind(of).solid(numbers)); });

@@ -2,12 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
 
 #include "contact/faces/coats.hpp"
 #include "contact/touch.hpp"
+#include "contact/unit_ratios.hpp"
 
 namespace stoss {
 namespace {
+
+/// The longest period of what is held, with the first body on it, in R/c of that; 0 of what is not.
+double slowest_swing(const Contact& contact) {
+  if (!contact.second || !contact.second->held) return 0.0;
+  double slowest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = contact.first_groups; k < contact.groups.size(); ++k) {
+    for (const double omega : contact.groups[k].omega) slowest = std::min(slowest, omega);
+  }
+  const double carried = contact.first->mass / (contact.second->mass * units_of(contact, 1).mass);
+  return 2.0 * std::numbers::pi / slowest * std::sqrt(1.0 + carried);
+}
 
 double longest_duration(const Contact& contact) {
   // R/c of the slower body. An impact of disks lasts 5 to 30; that of spheres grows as v^(−1/5), to 200 at v = 1e-8.
@@ -20,7 +35,9 @@ double longest_duration(const Contact& contact) {
   // Of the mass of a sphere; heavier ones take longer, as Hertz has it.
   constexpr double of_a_sphere = 4.1887902047863910;
   const double heavier = std::pow(std::max(1.0, contact.whole_mass / of_a_sphere), 0.4);
-  return of_balls * softer * heavier * longest_time(contact);
+  // What is held swings back, and may strike the first body again, until that has left it.
+  constexpr double swings = 20.0;
+  return std::max(of_balls * softer * heavier * longest_time(contact), swings * slowest_swing(contact));
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ void read_curvature(const std::string& where, const Json& given, ModalBody& body
   } else {
     both.assign(2, number(where + " curvature", value));
   }
-  if (std::min(both[0], both[1]) < 0.0) {
-    refuse(where + " curvature", value, "0 or more (a surface that is hollow at the point is not computed)");
+  if (both[0] + both[1] < 0.0 || (both[0] + both[1] == 0.0 && both[0] != 0.0)) {
+    refuse(where + " curvature", value, "a sum above 0, or 0 (a surface that is hollow at the point is not computed)");
   }
   body.curvature = 0.5 * (both[0] + both[1]);
   body.curvature_difference = std::abs(both[0] - both[1]);

@@ -20,7 +20,7 @@ Json schema_of_modal_body() {
         {"normal", vector}}},
       {"required", {"inertia", "point", "normal"}},
       {"additionalProperties", false}};
-  const Json both{{"type", "array"}, {"items", not_negative}, {"minItems", 2}, {"maxItems", 2}};
+  const Json both{{"type", "array"}, {"items", number}, {"minItems", 2}, {"maxItems", 2}};
   const Json modes{{"type", "object"},
                    {"properties",
                     {{"frequency", in("Hz", numbers)},

@@ -44,7 +44,14 @@ const Quantities<Impact>& impact_quantities() {
 
 std::string note_of_staying() {
   return "the body stays: the plate is infinite and never returns what it takes, so eps is 0; waves from the rim of "
-         "a real one may throw it off (python -m stoss.modal --plate)";
+         "a real one may throw it off (python -m stoss.modal --plate LxWxH --edge clamped)";
+}
+
+std::string note_of_a_plate(double restitution) {
+  constexpr double little = 0.2;
+  if (!(restitution > 0.0 && restitution < little)) return {};
+  return "eps is small: the plate is infinite and never returns what it takes; waves from the rim of a real one may "
+         "throw the body off with much more (python -m stoss.modal --plate LxWxH --edge clamped)";
 }
 
 const Quantities<EnergyLedger>& ledger_quantities() {

@@ -48,7 +48,11 @@ std::optional<Rest> run(const Contact& contact, double speed, const FixedResolut
       steps += steps_to_leave(motion, step);
     }
     if (static_cast<double>(done) > std::min(steps, most_steps)) {
-      throw NotConverged("impact: the contact has not ended after " + std::to_string(done) + " steps");
+      const bool held = contact.second && contact.second->held;
+      throw NotConverged("impact: the contact has not ended after " + std::to_string(done) + " steps" +
+                         (held ? ": what is held swings back to what hit it, again and again (a stiffer hold, or a "
+                                 "lighter body that hits it)"
+                               : ""));
     }
     if (poll) poll();
     motion.advance();

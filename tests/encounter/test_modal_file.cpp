@@ -38,6 +38,8 @@ TEST(ModalFile, ReadsBackAsTheSameBody) {
   EXPECT_NEAR(same.modes[3].omega_error, 10.0, 1e-12);
   EXPECT_EQ(same.modes[4].displacement_error, 0.1);
   EXPECT_EQ(to_json(modal_body_from_json(to_json(same))), to_json(same));
+  body.curvature_difference = 2.4 * body.curvature;  // a saddle
+  EXPECT_NEAR(modal_body_from_json(to_json(body)).curvature_difference, body.curvature_difference, 1e-9);
 }
 
 TEST(ModalFile, KnowsWhetherABodyIsHeld) {
@@ -99,6 +101,7 @@ TEST(ModalFile, NamesWhatIsWrong) {
     refused({std::string("bell.json ") + needed, "missing"}, [&](Json& given) { given.erase(needed); });
   }
   refused({"curvature", "hollow"}, [](Json& given) { given["curvature"] = -3.0; });
+  refused({"curvature", "hollow"}, [](Json& given) { given["curvature"] = {-3.0, 2.0}; });
   refused({"curvature", "2 numbers"}, [](Json& given) { given["curvature"] = {1.0, 2.0, 3.0}; });
   refused({"modes displacement", "numbers"}, [](Json& given) { given["modes"]["displacement"].push_back(1.0); });
   refused({"modes frequency", "missing"}, [](Json& given) { given["modes"].erase("frequency"); });

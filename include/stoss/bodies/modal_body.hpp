@@ -62,7 +62,7 @@ struct ModalBody {
   /// m of a central impact; else that of the point along the normal, 1/m + (r × n)·I⁻¹(r × n), inverted.
   double mass = 0.0;
   double curvature = 0.0;             ///< H, the mean of both principal curvatures, ≥ 0; 0: a plane
-  double curvature_difference = 0.0;  ///< of the principal ones, 0 … 2H
+  double curvature_difference = 0.0;  ///< of the principal ones, ≥ 0; above 2H the surface is a saddle
   double poisson = 0.0;               ///< ν of the material at the point, −0.95 … 0.4999
   double young = 1.0;                 ///< E there
   double density = 1.0;               ///< ρ there

@@ -42,8 +42,8 @@ class ModalBody(Solid):
 
     Parameters:
         mass (float): Mass, kg.
-        curvature (float or tuple of two float): Principal curvatures at the point, 1/m, 0 or more;
-            0: a plane.
+        curvature (float or tuple of two float): Principal curvatures at the point, 1/m; 0: a plane.
+            One may be below 0, where the surface is a saddle, their sum not.
         young, poisson, density (float): Material at the point: E in Pa, ν, ρ in kg/m³.
         compliance (float): c₀, m/N.
         frequency (array_like): Frequencies of the elastic modes that move the point, Hz, rising.

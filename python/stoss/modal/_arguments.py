@@ -9,7 +9,7 @@ import re
 from typing import Any, Callable, NoReturn, Sequence
 
 from stoss._errors import InvalidInput
-from stoss.modal import _plates
+from stoss.modal import _map_options, _plates
 from stoss.modal._supports import add_options, supports_of
 
 WORDS = """The modes of a body and its compliance at one point of its surface, by finite elements.
@@ -27,15 +27,15 @@ class _Parser(argparse.ArgumentParser):
 
 
 def _numbers(*counts: int) -> Callable[[str], tuple[float, ...]]:
-    """Takes so many numbers, with commas between them."""
+    """Takes so many numbers, or any number of them, with commas between them."""
 
     def numbers(text: str) -> tuple[float, ...]:
         values = tuple(float(part) for part in text.split(","))
-        if len(values) not in counts or not all(map(math.isfinite, values)):
+        if (counts and len(values) not in counts) or not all(map(math.isfinite, values)):
             raise ValueError
         return values
 
-    numbers.__name__ = f"list of {counts[-1]} numbers with commas"
+    numbers.__name__ = f"list of {counts[-1] if counts else ''} numbers with commas".replace("  ", " ")
     return numbers
 
 
@@ -46,12 +46,12 @@ def _parser() -> argparse.ArgumentParser:
     add = parser.add_argument
     add("mesh", nargs="?", help="Gmsh mesh of tetrahedra (.msh), or a shape (.geo, .step, .brep)")
     add("coarse", nargs="?", help="a coarser mesh of the same body, for the errors")
-    add("-o", "--output", required=True, metavar="FILE", help="what is written, JSON")
+    add("-o", "--output", metavar="FILE", help="what is written, JSON")
     place: dict[str, Any] = {"type": _numbers(3), "metavar": "X,Y,Z"}
     add("--point", **place, help="contact point, in the unit of the mesh")
     add("--normal", **place, help="outward normal of the surface there")
     add("--tangent", **place, help="direction of friction, along the surface: for oblique impacts")
-    add("--unit", choices=UNITS, default="m", help="of mesh, point and sizes (default m)")
+    add("--unit", choices=UNITS, help="of mesh, point and sizes (default m)")
     add("--material", metavar="NAME", help="one of stoss.materials; or these three:")
     add("--young", type=float, metavar="PA", help="Young's modulus")
     add("--poisson", type=float, metavar="NU", help="Poisson's ratio")
@@ -67,6 +67,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--errors-unknown", action="store_true", help="one mesh is enough")
     _plates.add_options(parser)
     add_options(parser)
+    _map_options.add_options(parser, _numbers())
     add("--name", help="of the body (default: that of the mesh)")
     return parser
 
@@ -74,17 +75,18 @@ def _parser() -> argparse.ArgumentParser:
 def parse(words: Sequence[str]) -> argparse.Namespace:
     """The arguments, checked as far as they go without a mesh; lengths are in m afterwards."""
     given = _parser().parse_args(words)
-    unit = UNITS[given.unit]
+    unit = UNITS[given.unit or "m"]
     given.scale = unit
+    _map_options.take_map(given)
     given.shape = _plates.plate_of(given, unit)
     if given.shape:
         _take_plate(given, given.shape, unit)
-    for name in ("mesh", "point", "normal"):
+    for name in ("mesh",) if given.map else ("mesh", "point", "normal"):
         if getattr(given, name) is None:
             raise InvalidInput.missing(name, ": MESH --point X,Y,Z --normal X,Y,Z, or --plate LxWxH, or --disc DxH")
     given.modes = given.modes if given.modes is not None else 50
     shape = bool(given.shape) or given.mesh.lower().endswith(SHAPES)
-    if math.hypot(*given.normal) == 0.0:
+    if given.normal and math.hypot(*given.normal) == 0.0:
         raise InvalidInput.out_of_range("normal", "length 0", "any direction out of the body")
     if given.tangent is not None:
         _perpendicular(given.tangent, given.normal)
@@ -104,9 +106,10 @@ def parse(words: Sequence[str]) -> argparse.Namespace:
         )
     if not 1.1 <= given.coarser <= 4.0:
         raise InvalidInput.out_of_range("coarser", given.coarser, "1.1 to 4")
-    given.point = tuple(unit * x for x in given.point)
+    if given.point:
+        given.point = tuple(unit * x for x in given.point)
     if given.size is not None:
-        given.size_at_point = unit * (given.size_at_point or given.size / 8.0)
+        given.size_at_point = unit * (given.size_at_point or given.size / (1.0 if given.map else 8.0))
         given.size *= unit
     if given.radius is not None:
         given.curvature = (1.0 / (unit * given.radius),) * 2

@@ -1,15 +1,13 @@
-"""The compliances c0 and c_t: what is static at the point beside 1/r and its logarithm."""
+"""The compliances c0 and c_t: what is static at points beside 1/r and its logarithm."""
 
 from __future__ import annotations
 
+import dataclasses
 import math
+from typing import Iterator, Sequence
+
 import numpy as np
-import ufl
-from dolfinx import fem
-from dolfinx import mesh as meshes
-from mpi4py import MPI
 from numpy.typing import NDArray
-from petsc4py import PETSc
 
 from stoss._errors import InvalidInput
 from stoss.modal._modes import Spectrum
@@ -27,94 +25,77 @@ INVERSE = 36.0 * math.gamma(6.0) * math.gamma(0.5) / (math.gamma(3.5) ** 2 * mat
 """Mean of 1/r between points under the pressure (1 − r²)², by its transform 48 J₃(k)/k³."""
 LOGARITHM = -73.0 / 120.0
 """Mean of ln r between two such points: of ln max(r, r′), the mean over the angle."""
-
+TOGETHER = 10
+"""Points whose pressures are solved for together, which takes less time each, until Ctrl-C is heard."""
 
 Vector = NDArray[np.float64]
 
 
-class Pressure:
-    """A smooth load of total force one, p ∝ (1 − r²/b²)² around the normal: along it, or the tangent."""
+@dataclasses.dataclass(frozen=True)
+class Pressures:
+    """Where the pressures of a point act, in half the body's diagonal; `along` the tangent, or the normal."""
 
-    def __init__(self, spectrum: Spectrum, surface: Surface, widest: float, axis: Vector) -> None:
-        self.spectrum, self.surface = spectrum, surface
-        mesh = surface.mesh
-        facets = surface.near(widest + 2.0 * surface.edge)
-        tags = meshes.meshtags(mesh, 2, facets, np.ones(len(facets), dtype=np.int32))
-        ds = ufl.ds(domain=mesh, subdomain_data=tags, metadata={"quadrature_degree": 10})(1)
-        self.radius = fem.Constant(mesh, PETSc.ScalarType(1.0))
-        point = fem.Constant(mesh, PETSc.ScalarType(surface.point))
-        normal = fem.Constant(mesh, PETSc.ScalarType(surface.normal))
-        arm = ufl.SpatialCoordinate(mesh) - point
-        square = (ufl.inner(arm, arm) - ufl.inner(arm, normal) ** 2) / self.radius**2
-        share = ufl.conditional(ufl.lt(square, 1.0), (1.0 - square) ** 2, 0.0)
-        share = share * 3.0 / (math.pi * self.radius**2) * ufl.inner(ufl.FacetNormal(mesh), normal)
-        moved = ufl.TestFunction(spectrum.body.space)
-        along = fem.Constant(mesh, PETSc.ScalarType(axis))
-        self._load = fem.form(-share * ufl.inner(moved, along) * ds)
-        self._total = fem.form(share * ds)
+    surface: Surface
+    facets: NDArray[np.int64]
+    widest: float
+    curvature: float
+    along: bool = False
 
-    def total(self, radius: float) -> float:
-        """What of the force acts: less than 1 where the surface ends or turns away."""
-        self.radius.value = radius
-        return float(self.surface.mesh.comm.allreduce(fem.assemble_scalar(self._total), MPI.SUM))
+    @property
+    def radii(self) -> Vector:
+        """Of all, the widest last."""
+        return self.widest * np.array(SHARES)
 
-    def compliance(self, radius: float) -> float:
-        """Twice its elastic energy in the body, which its inertia balances, or what holds it."""
-        total = self.total(radius)
-        load = fem.petsc.assemble_vector(self._load)
-        load.ghostUpdate(addv=PETSc.InsertMode.ADD, mode=PETSc.ScatterMode.REVERSE)
-        load.scale(1.0 / total)
-        self.spectrum.body.unheld(load)
-        self.spectrum.body.balance(load)
-        return float(load.dot(self.spectrum.solve(load)))
+    def loads(self) -> Vector:
+        """Forces at the nodes of the skin."""
+        axis = self.surface.tangent if self.along else self.surface.normal
+        place = (self.facets, self.surface.point, self.surface.normal, axis)
+        return np.array([self.surface.skin.pressure(*place, radius)[1] for radius in self.radii])
+
+    def constant(self, poisson: float, energies: Vector) -> tuple[float, float]:
+        """c0 in units with E = 1 from twice the elastic energies, extrapolated to no radius, and how far this reaches."""
+        front = (1.0 - poisson**2) / math.pi
+        share = (1.0 - 2.0 * poisson) ** 2 / (2.0 * (1.0 - poisson))
+        if self.along:
+            front = (1.0 + poisson) * (2.0 - poisson) / (2.0 * math.pi)
+            share = (3.0 - 2.0 * poisson + 4.0 * poisson**2) / (2.0 * (2.0 - poisson))
+        known = INVERSE / self.radii
+        if self.curvature > 0.0:
+            known = known - share * self.curvature * (np.log(self.curvature * self.radii) + LOGARITHM)
+        values = energies - front * known
+        # Even in the radius but for weak terms; beside a wall thinner than the pressures curves part.
+        even = float(np.polyfit(self.radii**2, values, 2)[-1])
+        parabola = float(np.polyfit(self.radii, values, 2)[-1])
+        return even, 2.0 * abs(even - parabola)
 
 
-def compliance(
-    spectrum: Spectrum,
-    surface: Surface,
-    poisson: float,
-    curvature: float,
-    widest: float | None,
-    along: bool = False,
-) -> dict[str, float]:
-    """c0 in units with E = 1, extrapolated to no radius, how far this reaches, and the widest radius.
-
-    `widest` is that of a finer mesh. `along`: c_t, by a load along the tangent.
-    """
+def pressures(surface: Surface, curvature: float, widest: float | None, along: bool = False) -> Pressures:
+    """Those from which the compliance follows. `widest` is that of a finer mesh. Raises InvalidInput."""
     least, most = (edges * surface.edge for edges in EDGES)
     if widest is None:
         widest = min(most, BEND / curvature) if curvature > 0.0 else most
     else:
         least *= COARSER
-    axis = surface.normal
-    front = (1.0 - poisson**2) / math.pi
-    share = (1.0 - 2.0 * poisson) ** 2 / (2.0 * (1.0 - poisson))
-    if along:
-        assert surface.tangent is not None
-        axis = surface.tangent
-        front = (1.0 + poisson) * (2.0 - poisson) / (2.0 * math.pi)
-        share = (3.0 - 2.0 * poisson + 4.0 * poisson**2) / (2.0 * (2.0 - poisson))
-    bend = share * curvature
     if widest < least:
         allowed = _metres(surface, surface.edge * widest / least)
         raise _too_coarse(surface, f"allowed {allowed}, better a fourth of that")
-    pressure = Pressure(spectrum, surface, widest, axis)
-    while abs(pressure.total(widest) - 1.0) > 0.01:
+    facets = surface.near(widest + 2.0 * surface.edge)
+    place = (facets, surface.point, surface.normal, surface.normal)
+    while abs(surface.skin.pressure(*place, widest)[0] - 1.0) > 0.01:
         widest *= 0.9
         if widest < least:
             near = _metres(surface, least)
             raise _too_coarse(surface, f"the surface ends or turns away within {near} of it")
-    radii = widest * np.array(SHARES)
-    values = []
-    for b in radii:
-        known = INVERSE / b
-        if curvature > 0.0:
-            known -= bend * (math.log(curvature * b) + LOGARITHM)
-        values.append(pressure.compliance(b) - front * known)
-    # Even in the radius but for weak terms; beside a wall thinner than the pressures curves part.
-    even = float(np.polyfit(radii**2, values, 2)[-1])
-    parabola = float(np.polyfit(radii, values, 2)[-1])
-    return {"c0": even, "reach": 2.0 * abs(even - parabola), "widest": widest}
+    return Pressures(surface, facets, widest, curvature, along)
+
+
+def compliances(spectrum: Spectrum, poisson: float, each: Sequence[Pressures]) -> Iterator[tuple[float, float]]:
+    """c0 or c_t of each, in units with E = 1, and how far the extrapolation to it reaches."""
+    for start in range(0, len(each), TOGETHER):
+        some = each[start : start + TOGETHER]
+        energies = spectrum.energies(some[0].surface.skin, np.concatenate([one.loads() for one in some]))
+        for one, its in zip(some, energies.reshape(-1, len(SHARES))):
+            yield one.constant(poisson, its)
 
 
 def _too_coarse(surface: Surface, why: str) -> InvalidInput:

@@ -51,6 +51,11 @@ class Held:
         return share * self.normal, share * self.tangential, self.mass / area
 
 
+def displacements(mesh: Any) -> Any:
+    """The space of the displacements of a mesh."""
+    return fem.VectorFunctionSpace(mesh, ("Lagrange", 2))
+
+
 class Elasticity:
     """Stiffness, mass and rigid motions of a mesh.
 
@@ -61,9 +66,9 @@ class Elasticity:
         volume, centre, inertia: By integration of mass, 1 each unit of volume; the inertia is about its centre.
     """
 
-    def __init__(self, mesh: Any, poisson: float, supports: Sequence[Held] = ()) -> None:
-        self.mesh = mesh
-        self.space = fem.VectorFunctionSpace(mesh, ("Lagrange", 2))
+    def __init__(self, space: Any, poisson: float, supports: Sequence[Held] = ()) -> None:
+        self.mesh = mesh = space.mesh
+        self.space = space
         u, v = ufl.TrialFunction(self.space), ufl.TestFunction(self.space)
         lame = poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson))
         shear = 0.5 / (1.0 + poisson)
@@ -88,23 +93,9 @@ class Elasticity:
         owned = self.space.dofmap.index_map.size_local
         return np.array(self.space.tabulate_dof_coordinates()[:owned])
 
-    def without_rigid(self, displacement: PETSc.Vec) -> None:
-        """Takes from a displacement the rigid motions that it holds, measured by mass."""
-        weighted = self.mass * displacement
-        for each in self.rigid:
-            displacement.axpy(-each.dot(weighted), each)
-
-    def balance(self, load: PETSc.Vec) -> None:
-        """Adds to a load the forces of inertia of the rigid motion that it causes."""
-        shares = [each.dot(load) for each in self.rigid]
-        motion = self.vector()
-        for share, each in zip(shares, self.rigid):
-            motion.axpy(share, each)
-        load.axpy(-1.0, self.mass * motion)
-
-    def unheld(self, load: PETSc.Vec) -> None:
-        """Takes from a load what acts where the body is clamped."""
-        load.array[self._fixed] = 0.0
+    def unheld(self, loads: NDArray[np.float64]) -> None:
+        """Takes from loads, as columns, what acts where the body is clamped."""
+        loads[self._fixed] = 0.0
 
     def _add(self, support: Held) -> None:
         """The stiffness and the mass of a surface, which are spread evenly over it."""

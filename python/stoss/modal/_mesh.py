@@ -47,14 +47,15 @@ def is_shape(path: str) -> bool:
 
 
 def load(
-    path: str, unit: float, point: Sequence[float], sizes: Sizes | None, comm: Any, thick: bool, names: Sequence[str]
+    path: str, unit: float, point: Sequence[float] | None, sizes: Sizes | None, comm: Any, thick: bool, names: Sequence[str]
 ) -> tuple[Any, float, dict[str, NDArray[np.int32]]]:
     """The mesh of a file, spread over the processes, and the length in m by which it was divided.
 
     And the facets of this process on each of the surfaces with these names.
 
     `unit` is that of the file's lengths, in m. From a shape a mesh of these `sizes` is made, which is
-    fine at `point`, in m. `thick` refuses meshes that are mostly one tetrahedron thick.
+    fine at `point`, in m, or has edges of one length if there is none. `thick` refuses meshes that are mostly
+    one tetrahedron thick.
     """
     wrong: InvalidInput | None = None
     length, entities = 1.0, dict[str, list[int]]()
@@ -81,7 +82,7 @@ def load(
 
 
 def _open(
-    path: str, unit: float, point: Sequence[float], sizes: Sizes | None, thick: bool, names: Sequence[str]
+    path: str, unit: float, point: Sequence[float] | None, sizes: Sizes | None, thick: bool, names: Sequence[str]
 ) -> tuple[float, dict[str, list[int]]]:
     """Leaves in Gmsh one group of tetrahedra, and one of each part of a surface with a name.
 
@@ -111,7 +112,11 @@ def _open(
     corners = gmsh.model.mesh.getElementsByType(types[0])[1].reshape(-1, 4 if types[0] == 4 else 10)
     inverted = int(np.sum(_inverted(types[0])))
     if inverted:
-        raise InvalidInput.conflict(path, f"{inverted} tetrahedra are inside out or flat")
+        raise InvalidInput.conflict(
+            path,
+            f"{inverted} of {len(corners)} tetrahedra are inside out or flat",
+            "smaller edges where the surface bends, straight ones (gmsh -order 1), or in Gmsh: Tools, Reverse mesh",
+        )
     tags, x, _ = gmsh.model.mesh.getNodes()
     parts = _parts(corners[:, :4].astype(np.int64))
     if parts > 1:
@@ -173,12 +178,14 @@ def _inverted(kind: int) -> NDArray[np.bool_]:
     return wrong
 
 
-def _generate(unit: float, point: Sequence[float], sizes: Sizes) -> None:
-    """Quadratic tetrahedra whose edges grow from the contact point on."""
+def _generate(unit: float, point: Sequence[float] | None, sizes: Sizes) -> None:
+    """Quadratic tetrahedra whose edges grow from the contact point on, or have one length."""
     gmsh.model.mesh.clear()
     far, near, even = sizes.coarser * sizes.far / unit, sizes.near / unit, EVEN * sizes.near / unit
-    x, y, z = (f"({name}-({value / unit!r}))" for name, value in zip("xyz", point))
-    grown = f"{near!r}+{GROWTH!r}*(Sqrt({x}^2+{y}^2+{z}^2+{even!r}^2)-{even!r})"
+    grown = f"{sizes.far / unit!r}"
+    if point is not None:
+        x, y, z = (f"({name}-({value / unit!r}))" for name, value in zip("xyz", point))
+        grown = f"{near!r}+{GROWTH!r}*(Sqrt({x}^2+{y}^2+{z}^2+{even!r}^2)-{even!r})"
     field = gmsh.model.mesh.field.add("MathEval")
     gmsh.model.mesh.field.setString(field, "F", f"{sizes.coarser!r}*({grown})")
     gmsh.model.mesh.field.setAsBackgroundMesh(field)

@@ -1,4 +1,4 @@
-"""The lowest elastic modes, and how they move the contact point."""
+"""The lowest elastic modes, and elastic energies under static loads."""
 
 from __future__ import annotations
 
@@ -11,12 +11,16 @@ from slepc4py import SLEPc
 
 from stoss._errors import InvalidInput, NotConverged
 from stoss.modal._elasticity import Elasticity
-from stoss.modal._surface import Surface
+from stoss.modal._skin import Skin
 
 SHIFT = 1e-3
 """K + SHIFT M is factored: K has no inverse, because of the rigid motions."""
-RESIDUAL = 1e-9
+RESIDUAL = 1e-4
 """Of static loads, as a share: rounding leaves 1e-11 of thin bodies; energies err by its square."""
+DEFLATED = 40
+"""Modes that static loads are freed of, so that the few steps of their solution are fewer."""
+APART = 6
+"""Lowest modes of a body that is held which static compliances leave out."""
 RIGID = 1e-8
 """Modes with ω² below it are rigid, in units of the bar speed over half the body's diagonal."""
 
@@ -41,32 +45,8 @@ class Spectrum:
         self.solver.setDimensions(16)
         self.solver.setUp()
 
-    def solve(self, load: PETSc.Vec) -> PETSc.Vec:
-        """The static displacement under a load in balance, by conjugate gradients."""
-        inverse = self.solver.getST().getKSP()
-        found, residual = self.body.vector(), load.copy()
-        improved, direction = self.body.vector(), self.body.vector()
-        bound, slope = RESIDUAL * load.norm(), 0.0
-        for _ in range(100):
-            inverse.solve(residual, improved)
-            self.body.without_rigid(improved)
-            before, slope = slope, residual.dot(improved)
-            direction.aypx(slope / before if before else 0.0, improved)
-            image = self.body.stiffness * direction
-            step = slope / direction.dot(image)
-            found.axpy(step, direction)
-            residual.axpy(-step, image)
-            if residual.norm() < bound:
-                self.body.without_rigid(found)
-                return found
-        raise NotConverged("compliance: the static displacement did not converge")
-
-    def modes(self, count: int, surface: Surface, progress: Callable[[int], None]) -> dict[str, Vector]:
-        """At least `count` elastic modes, up to a gap, in units with E = ρ = 1.
-
-        Returns ω, the displacement along the normal at the point, and half its mean curvature; and
-        both along the tangent, if there is one.
-        """
+    def modes(self, count: int, skin: Skin, progress: Callable[[int], None]) -> tuple[Vector, Vector]:
+        """At least `count` elastic modes, up to a gap: ω, and displacements of nodes of the skin, with E = ρ = 1."""
         free = len(self.body.rigid)
         wanted = count + free + max(4, count // 10)
         self.solver.setDimensions(wanted, PETSc.DECIDE, PETSc.DECIDE)
@@ -76,21 +56,72 @@ class Spectrum:
         found = self.solver.getConverged()
         if found < wanted:
             raise NotConverged(f"modes: only {found} of {wanted} converged")
-        return self._at_point(found, count, surface)
+        return self._elastic(found, count, skin)
 
-    def set_apart(self, count: int) -> None:
-        """Takes the lowest modes of a body that is held from static loads, as rigid motions are from those of others.
+    def energies(self, skin: Skin, loads: Vector) -> Vector:
+        """Twice the elastic energy under forces at nodes of the skin, (loads, nodes, 3), which inertia balances.
 
-        They have nearly all of its compliance, in which that of the point would drown.
+        What holds the body balances them too, if anything does; the modes that are apart then take no
+        part, as they have nearly all of the compliance, in which that of a point would drown.
         """
-        values = np.array([self.solver.getEigenvalue(i).real for i in range(self.solver.getConverged())])
-        for i in np.argsort(values)[:count]:
-            vector = self.body.vector()
-            self.solver.getEigenvector(int(i), vector)
-            vector.scale(1.0 / np.sqrt(vector.dot(self.body.mass * vector)))
-            self.body.rigid.append(vector)
+        body = self.body
+        forces = skin.spread(loads, body.vector())
+        body.unheld(forces)
+        shares = self._sums(self._shapes.T @ forces)
+        forces -= self._weighted @ shares
+        taken = shares[-len(self._omega) :] / self._omega[:, None]
+        energies: Vector = np.sum(taken[self.apart :] ** 2, axis=0) + self._deflated(forces)
+        return energies
 
-    def _at_point(self, found: int, count: int, surface: Surface) -> dict[str, Vector]:
+    def _deflated(self, forces: Vector) -> Vector:
+        """Of loads that move no mode that is known, by conjugate gradients for all of them at once."""
+        found, residual = np.zeros_like(forces), forces.copy()
+        direction, slope = np.zeros_like(forces), np.ones(forces.shape[1])
+        bound = RESIDUAL * np.sqrt(self._sums(np.sum(forces**2, axis=0)))
+        for step in range(100):
+            improved = self._inverse(residual)
+            improved -= self._shapes @ self._sums(self._weighted.T @ improved)
+            before, slope = slope, self._sums(np.sum(residual * improved, axis=0))
+            direction = improved + direction * (slope / before if step else 0.0)
+            image = self._times(self.body.stiffness, direction)
+            length = slope / self._sums(np.sum(direction * image, axis=0))
+            found += length * direction
+            residual -= length * image
+            if np.all(np.sqrt(self._sums(np.sum(residual**2, axis=0))) < bound):
+                return np.asarray(self._sums(np.sum(found * forces, axis=0)))
+        raise NotConverged("compliance: the static displacement did not converge")
+
+    def _inverse(self, columns: Vector) -> Vector:
+        """(K + SHIFT M)⁻¹ of columns."""
+        factor = self.solver.getST().getKSP().getPC().getFactorMatrix()
+        right, left = self._dense(columns), self._dense(np.zeros_like(columns))
+        factor.matSolve(right, left)
+        solved = np.array(left.getDenseArray())
+        right.destroy()
+        left.destroy()
+        return solved
+
+    def _times(self, matrix: PETSc.Mat, columns: Vector) -> Vector:
+        right = self._dense(columns)
+        product = matrix.matMult(right)
+        result = np.array(product.getDenseArray())
+        right.destroy()
+        product.destroy()
+        return result
+
+    def _dense(self, columns: Vector) -> PETSc.Mat:
+        rows, wide = self.body.mass.getSizes()[0], columns.shape[1]
+        array = np.asfortranarray(columns)
+        made = PETSc.Mat().createDense((rows, (None, wide)), array=array, comm=self.body.mesh.comm)
+        made.assemble()
+        return made
+
+    def _sums(self, values: Vector) -> Vector:
+        """Over all processes."""
+        total: Vector = self.body.mesh.comm.allreduce(values)
+        return total
+
+    def _elastic(self, found: int, count: int, skin: Skin) -> tuple[Vector, Vector]:
         values = np.array([self.solver.getEigenvalue(i).real for i in range(found)])
         order = np.argsort(values)
         values = values[order]
@@ -108,21 +139,18 @@ class Spectrum:
         below = self.below(0.5 * (values[end - 1] + values[end]))
         if below != end:
             raise NotConverged(f"modes: found {end} of {below} below a frequency")
-        nodes, weights = surface.weights(self.body.space)
-        axes = {"": surface.normal}
-        if surface.tangent is not None:
-            axes["tangential_"] = surface.tangent
-        rows, vector = np.empty((len(axes), end - free, len(nodes))), self.body.vector()
-        for k, i in enumerate(order[free:end]):
-            self.solver.getEigenvector(i, vector)
-            norm = np.sqrt(vector.dot(self.body.mass * vector))
-            for row, axis in zip(rows, axes.values()):
-                row[k] = vector.array.reshape(-1, 3)[nodes] @ axis / norm
-        result = {"omega": np.sqrt(values[free:end])}
-        for prefix, moved in zip(axes, self.body.mesh.comm.allreduce(rows @ weights.T)):
-            result[f"{prefix}displacement"] = moved[:, 0]
-            result[f"{prefix}displacement_curvature"] = moved[:, 1]
-        return result
+        omega, moved, vector = np.sqrt(values[free:end]), [], self.body.vector()
+        kept = [each.array for each in self.body.rigid]
+        for i in order[free:end]:
+            self.solver.getEigenvector(int(i), vector)
+            vector.scale(1.0 / np.sqrt(vector.dot(self.body.mass * vector)))
+            moved.append(skin.displacements(vector))
+            if len(kept) < free + DEFLATED:
+                kept.append(vector.array.copy())
+        self.apart = 0 if free else min(APART, len(omega))
+        self._omega, self._shapes = omega[: len(kept) - free], np.array(kept).T
+        self._weighted = self._times(self.body.mass, self._shapes)
+        return omega, np.array(moved)
 
     def below(self, value: float) -> int:
         """How many modes lie below ω² = value, rigid ones too: so many pivots are negative."""

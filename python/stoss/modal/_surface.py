@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any, Sequence
+from typing import Sequence
 
 import numpy as np
-from dolfinx import cpp, fem
-from dolfinx import mesh as meshes
 from numpy.typing import NDArray
 
 from stoss._errors import InvalidInput
+from stoss.modal._skin import Skin
 
 PATCH = 4.0
 """Radius of the surface to which polynomials are fitted, in edges of the mesh."""
 STEEP = 0.8
 """Least cosine between the normal of a facet of the patch and that at the point."""
+SHARP = 35.0
+"""Angle in degrees between facets at the point from which on it is an edge: of round surfaces meshes have less."""
 POWERS = [(i, k - i) for k in range(5) for i in range(k, -1, -1)]
 """Degree of the polynomials x^i y^j that are fitted, up to the fourth degree."""
 
@@ -25,78 +26,81 @@ class Surface:
     """What lies near a point of a mesh's surface.
 
     Attributes:
-        point, normal: As given, the normal as a unit vector.
+        point, normal: As given, the normal as a unit vector; a `guessed` one becomes that of the patch.
         tangent: A unit vector perpendicular to it, if one was given, else None.
         edge (float): Mean length of the edges near the point.
-        facets: Facets of this process, in the patch and around it.
+        facets: Those of the skin in the patch and around it.
         curvature: Principal curvatures of the surface at the point.
     """
 
     def __init__(
         self,
-        mesh: Any,
+        skin: Skin,
         length: float,
         point: Sequence[float],
         normal: Sequence[float],
         tangent: Sequence[float] | None = None,
+        guessed: bool = False,
     ) -> None:
-        self.mesh, self.length = mesh, length
+        self.skin, self.length = skin, length
         self.point = np.asarray(point) / length
-        self.normal = np.asarray(normal) / np.linalg.norm(normal)
+        self.edge = self._edge()
+        self._refuse_sharp()
+        self._face(np.asarray(normal))
         self.tangent: Vector | None = None
         if tangent is not None:
             aside = np.asarray(tangent) - (np.asarray(tangent) @ self.normal) * self.normal
             self.tangent = aside / np.linalg.norm(aside)
+        for _ in range(3 if guessed else 0):
+            self._face(self.normal - self._heights()[1:3] @ self.axes)
+        self.curvature = self._curvature()
+
+    def _face(self, normal: Vector) -> None:
+        """Sets the normal, and what belongs to it."""
+        self.normal = normal / np.linalg.norm(normal)
         first = np.eye(3)[np.argmin(np.abs(self.normal))]
         first = np.cross(self.normal, first) / np.linalg.norm(np.cross(self.normal, first))
         self.axes = np.array([first, np.cross(self.normal, first)])
-        self._all = self._facets()
-        self.edge = self._edge()
         self.facets = self.near(PATCH * self.edge)
-        if mesh.comm.allreduce(len(self.facets)) == 0:
+        if len(self.facets) == 0:
             raise InvalidInput.conflict(
                 "normal", "the surface does not face that way at the point", "does it lead outward?"
             )
-        self.curvature = self._curvature()
 
-    def near(self, radius: float) -> NDArray[np.int32]:
-        """This process's facets around the normal that face outward, within a radius."""
-        facets, corners, normals = self._all
-        flat, depth = self._flat(corners.mean(axis=1))
+    def near(self, radius: float) -> NDArray[np.int64]:
+        """Facets around the normal that face outward, within a radius."""
+        flat, depth = self._flat(self.skin.middles)
         beside = np.linalg.norm(flat, axis=1) < radius
-        return np.sort(facets[beside & (np.abs(depth) < radius) & (normals @ self.normal > STEEP)])
+        return np.flatnonzero(beside & (np.abs(depth) < radius) & (self.skin.normals @ self.normal > STEEP))
 
-    def weights(self, space: Any) -> tuple[NDArray[np.int32], Vector]:
+    def weights(self) -> tuple[NDArray[np.int64], Vector]:
         """Rows that make of values at nodes the value at the point, and half its mean curvature.
 
-        Returns the nodes of this process, and for each of both rows the weights of these nodes.
+        Returns nodes of the skin, and for each of both rows their weights.
         """
-        nodes, rows, _ = self._fit(space)
+        nodes, rows, _ = self._fit(6)
         squares = [POWERS.index((2, 0)), POWERS.index((0, 2))]
         return nodes, np.array([rows[0], 0.5 * rows[squares].sum(axis=0)])
 
-    def _fit(self, space: Any) -> tuple[NDArray[np.int32], Vector, Vector]:
-        """Nodes of this process in the patch, their columns of the inverse, their heights."""
-        nodes = fem.locate_dofs_topological(space, 2, self.facets)
-        nodes = nodes[nodes < space.dofmap.index_map.size_local]
-        flat, height = self._flat(space.tabulate_dof_coordinates()[nodes])
-        flat = flat / (PATCH * self.edge)
-        parts = self.mesh.comm.allgather(flat)
-        everywhere = np.concatenate(parts)
-        if len(everywhere) < 2 * len(POWERS):
-            raise InvalidInput.conflict("point", f"only {len(everywhere)} nodes near it, too few for a fit")
-        x, y = everywhere.T
+    def _fit(self, each: int) -> tuple[NDArray[np.int64], Vector, Vector]:
+        """Nodes in the patch, so many of each facet, their columns of the inverse, and their heights."""
+        nodes = np.unique(self.skin.facets[self.facets, :each])
+        flat, height = self._flat(self.skin.nodes[nodes])
+        x, y = (flat / (PATCH * self.edge)).T
+        if len(nodes) < 2 * len(POWERS):
+            raise InvalidInput.conflict("point", f"only {len(nodes)} nodes near it, too few for a fit")
         powers = np.stack([x**i * y**j for i, j in POWERS], axis=1)
-        rows = np.linalg.pinv(powers)
         scales = np.array([(PATCH * self.edge) ** -(i + j) for i, j in POWERS])
-        start = sum(len(part) for part in parts[: self.mesh.comm.rank])
-        return nodes, scales[:, None] * rows[:, start : start + len(nodes)], height
+        return nodes, scales[:, None] * np.linalg.pinv(powers), height
+
+    def _heights(self) -> Vector:
+        """Of the surface over the plane of the normal, by their powers."""
+        _, rows, height = self._fit(6 if self.skin.curved else 3)
+        return np.asarray(rows @ height)
 
     def _curvature(self) -> tuple[float, float]:
         """Also refuses a point beside the surface, and a normal that is not the surface's."""
-        order = self.mesh.ufl_domain().ufl_coordinate_element().degree()
-        _, rows, height = self._fit(fem.FunctionSpace(self.mesh, ("Lagrange", order)))
-        fitted = dict(zip(POWERS, sum(self.mesh.comm.allgather(rows @ height))))
+        fitted = dict(zip(POWERS, self._heights()))
         offset = abs(fitted[0, 0])
         if offset > 0.02 * self.edge:
             raise self._beside(offset, self.point + fitted[0, 0] * self.normal)
@@ -113,33 +117,30 @@ class Surface:
         arms = places - self.point
         return arms @ self.axes.T, arms @ self.normal
 
-    def _facets(self) -> tuple[NDArray[np.int32], Vector, Vector]:
-        """This process's facets of the whole surface, their corners and outward normals."""
-        topology = self.mesh.topology
-        topology.create_connectivity(2, 3)
-        facets = meshes.exterior_facet_indices(topology)
-        facets = facets[facets < topology.index_map(2).size_local]
-        x = self.mesh.geometry.x
-        vertices = cpp.mesh.entities_to_geometry(self.mesh._mesh, 2, facets, False)
-        corners = x[vertices].reshape(-1, 3, 3)
-        cells = [topology.connectivity(2, 3).links(facet)[0] for facet in facets]
-        nodes = self.mesh.geometry.dofmap
-        inside = np.array([x[nodes.links(cell)[:4]].mean(axis=0) for cell in cells])
-        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        outward = np.sign(np.sum(normals * (corners.mean(axis=1) - inside.reshape(-1, 3)), axis=1))
-        return facets, corners, normals * (outward / np.linalg.norm(normals, axis=1))[:, None]
-
     def _edge(self) -> float:
         """Of the dozen facets closest to the point."""
-        corners = np.concatenate(self.mesh.comm.allgather(self._all[1]))
-        distances = np.linalg.norm(corners.mean(axis=1) - self.point, axis=1)
-        closest = corners[np.argsort(distances)[:12]]
+        distances = np.linalg.norm(self.skin.middles - self.point, axis=1)
+        closest = self.skin.corners[np.argsort(distances)[:12]]
         edge = float(np.mean(np.linalg.norm(closest - np.roll(closest, 1, axis=1), axis=2)))
-        vertices = corners.reshape(-1, 3)
+        vertices = self.skin.corners.reshape(-1, 3)
         away = np.linalg.norm(vertices - self.point, axis=1)
         if away.min() > 1.5 * edge:
             raise self._beside(away.min(), vertices[np.argmin(away)])
         return edge
+
+    def _refuse_sharp(self) -> None:
+        """A point where facets meet at an angle has no normal and no curvature."""
+        apart = self.skin.distances(self.point, 2.0 * self.edge)
+        normals = self.skin.normals[apart < 0.05 * self.edge]
+        if len(normals) < 2:
+            return
+        angle = float(np.degrees(np.arccos(np.clip(np.min(normals @ normals.T), -1.0, 1.0))))
+        if angle > SHARP:
+            raise InvalidInput.conflict(
+                "point",
+                f"it lies on a sharp edge, where faces meet at {angle:.0f} degrees: no smooth surface",
+                f"a point {3.0 * self.length * self.edge:.2g} m or more beside it, or a shape with a round edge",
+            )
 
     def _beside(self, distance: float, nearest: Vector) -> InvalidInput:
         place = ",".join(f"{self.length * x:.6g}" for x in nearest)

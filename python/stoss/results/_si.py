@@ -16,6 +16,7 @@ from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss.bodies._encounter import material_warnings_of, yield_speed_of
 from stoss.bodies._material import Material
 from stoss.bodies._solid import alone
+from stoss.bodies._walls import Plate
 from stoss.export._files import write_lines
 from stoss.results._quantities import Number, Si
 from stoss.results._result import Result
@@ -209,4 +210,8 @@ def warn_of_limits(result: Any, stacklevel: int) -> None:
         if np.any(beyond):
             most = np.max(np.asarray(getattr(result, quantity))[beyond]) if quantity else 0.0
             text = said.format(most) or _core.note_of_staying()
+            warnings.warn(text, StossWarning, stacklevel=stacklevel + 1)
+    values = np.asarray(getattr(result, "restitution", np.nan), dtype=float)
+    if isinstance(getattr(result, "against", None), Plate) and np.any(values > 0.0):
+        if text := _core.note_of_a_plate(float(np.min(values[values > 0.0]))):
             warnings.warn(text, StossWarning, stacklevel=stacklevel + 1)

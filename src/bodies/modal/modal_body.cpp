@@ -50,11 +50,11 @@ std::vector<Body> made_all(const modal::Alternatives& all, const ModalBody& its,
 
 /// The body with another surface of the same curvature, recessed by ¼ H³r⁴ more: a cylinder is, beside a sphere of its
 /// mean curvature, and less by half of it a paraboloid. A point tells none of them from the others, and in (Ha)² they
-/// differ by nothing else (docs/theory/any_body.md).
+/// differ by nothing else (docs/theory/any_body.md). A saddle has that of a cylinder of its greater curvature.
 Body flatter_sided(Body body) {
   body.known.is_bound = true;
-  body.surface = [round = body.surface](const ContactPoints& points) {
-    constexpr double of_a_cylinder = 0.25;
+  const double bent = std::max(1.0, 0.5 * (1.0 + 0.5 * body.curvature_difference));
+  body.surface = [round = body.surface, of_a_cylinder = 0.25 * bent * bent * bent](const ContactPoints& points) {
     Surface surface = round(points);
     for (std::size_t i = 0; i < points.count; ++i) {
       const double distance = lateral_distance(points, i);

@@ -113,8 +113,7 @@ void require_body(const ModalBody& body) {
   require("young", body.young, positive, "Young's modulus at the point");
   require("density", body.density, positive, "at the point");
   require("curvature", body.curvature, not_negative, "mean curvature at the point; a hollow one is not computed");
-  require("curvature_difference", body.curvature_difference,
-          {0.0, 2.0 * body.curvature, true, true, "0 to twice the mean curvature"}, "of the principal curvatures");
+  require("curvature_difference", body.curvature_difference, not_negative, "of the principal curvatures");
   require("compliance", body.compliance, finite, "c0 at the point");
   require("compliance_error", body.compliance_error, not_negative, "of c0");
   require("complete_to", body.complete_to, positive, "highest frequency up to which all modes are there");

@@ -54,10 +54,11 @@ TEST(ModalEllipse, YieldsAsHertzSays) {
   }
 }
 
-Restitution value_of(double difference, double speed) {
+Restitution value_of(double difference, double speed, bool ball = false) {
   ModalBody body = test::modal_sphere(0.3, 12.0);
   body.curvature_difference = difference;
   try {
+    if (ball) return restitution(RefinableContact(modal_body(body), sphere(0.3)), speed);
     return restitution(RefinableContact(modal_body(body)), speed);
   } catch (const RestitutionNotConverged& error) {
     return error.best;
@@ -71,6 +72,15 @@ TEST(ModalEllipse, LastsAsLongAsItsHertzContact) {
   const double softer = 0.8242;  // H/M at 3 : 1
   EXPECT_NEAR(oval.contact_time.value / round.contact_time.value, std::pow(softer, 0.2), 0.006);
   EXPECT_NEAR(oval.max_force.value / round.max_force.value, std::pow(softer, -0.2), 0.006);
+}
+
+// One principal curvature is −0.15, that of the ball 1: relative ones of 3.15 and 0.85.
+TEST(ModalEllipse, OfASaddleAndABallLastsAsLong) {
+  constexpr double difference = 2.0 * 1.15, t = 1.15 / 2.0;
+  const Restitution round = value_of(0.0, 1e-5, true), saddle = value_of(difference, 1e-5, true);
+  const double softer = 1.0 - t * t * (0.66713 + t * t * (0.12242 + t * t * 0.08633));
+  EXPECT_NEAR(saddle.contact_time.value / round.contact_time.value, std::pow(softer, 0.2), 0.006);
+  EXPECT_NEAR(saddle.max_force.value / round.max_force.value, std::pow(softer, -0.2), 0.006);
 }
 
 TEST(ModalEllipse, HasAnErrorWhereModesBendOverIt) {

@@ -27,7 +27,7 @@ TEST(ModalBody, RefusesWhatIsNoBody) {
   refused("mass", [](ModalBody& body) { body.mass = 0.0; });
   refused("mass", [](ModalBody& body) { body.mass = NAN; });
   refused("curvature", [](ModalBody& body) { body.curvature = -0.1; });
-  refused("curvature_difference", [](ModalBody& body) { body.curvature_difference = 2.1; });
+  refused("curvature_difference", [](ModalBody& body) { body.curvature_difference = -0.1; });
   refused("poisson", [](ModalBody& body) { body.poisson = 0.5; });
   refused("compliance", [](ModalBody& body) { body.compliance = INFINITY; });
   refused("compliance_error", [](ModalBody& body) { body.compliance_error = -1.0; });

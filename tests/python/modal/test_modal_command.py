@@ -29,6 +29,13 @@ def meshes(modal):
     box = 'SetFactory("OpenCASCADE");\nBox(1) = {-1, -1, -1, 2, 2, 2};\n'
     (modal.folder / "box.geo").write_text(box)
     (modal.folder / "text.msh").write_text("no mesh\n")
+    modal.gmsh('SetFactory("OpenCASCADE");\nBox(1) = {0, 0, 0, 20, 12, 0.4};', "wall.msh", 1.0)
+    modal.gmsh('SetFactory("OpenCASCADE");\nBox(1) = {0, 0, 0, 20, 12, 0.4};', "wall_coarse.msh", 1.4)
+    nodes = "1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"
+    (modal.folder / "inverted.msh").write_text(
+        f"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n{nodes}$EndNodes\n"
+        "$Elements\n1\n1 4 2 0 1 1 3 2 4\n$EndElements\n"
+    )
 
 
 @pytest.mark.parametrize(
@@ -50,6 +57,9 @@ def meshes(modal):
         (f"{MESHES} {BALL}", "material: missing"),
         (f"{MESHES} {BALL} --material stone", "allowed"),
         (f"{MESHES} {BALL} {UNITS} --poisson 0.5", "poisson"),
+        ("box.geo --point 1,0.3,1 --normal 1,0,1 --size 0.5 --size-at-point 0.1 " + STEEL, "a sharp edge, where faces meet at 90 degrees"),
+        ("inverted.msh --point 0.2,0.2,0 --normal 0,0,-1 --errors-unknown " + STEEL, "1 of 1 tetrahedra are inside out or flat"),
+        ("wall.msh wall_coarse.msh --point 9,6,0.4 --normal 0,0,1 " + STEEL, "of the volume is only one tetrahedron thick"),
         (f"sphere.geo {BALL} {STEEL}", "size: missing"),
         (f"sphere.geo {BALL} {STEEL} --size 1 --size-at-point 0.5", EDGES_OF_HALF),
         (f"box.geo --point 0.9,0,1 --normal 0,0,1 {STEEL} --size 1 --size-at-point 0.1", BOX_ENDS),
@@ -73,6 +83,13 @@ def test_refusals(modal, meshes, words, said):
         assert other == pytest.approx(0.45 / 3, rel=0.05)  # of radii of curvature
     else:
         assert other == pytest.approx(3 * edge, rel=0.01) and "allowed" not in lines[0]
+
+
+def test_says_what_looks_like_another_unit(modal, meshes):
+    modal.gmsh("SetFactory(\"OpenCASCADE\");\nSphere(1) = {0, 0, 0, 20};", "large.msh", 8.0)
+    for unit, count in (("", 1), ("--unit m", 0), ("--unit mm", 0)):
+        done = modal.run(f"large.msh --point 0,0,21 --normal 0,0,1 {STEEL} {unit} --errors-unknown -o refused.json")
+        assert done.stderr.count("if its lengths are in mm, --unit mm") == count, done.stderr
 
 
 def test_file(small_sphere):

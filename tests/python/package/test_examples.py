@@ -38,6 +38,8 @@ FILES = {
     "19_impact_echo": ["impact_echo.csv", "impact_echo.png"],
     "20_table_tennis_ball": ["table_tennis_ball.csv", "table_tennis_ball.png"],
     "21_bat_in_hands": ["bat_in_hands.png"],
+    "22_bell_map": ["bell_map.png"],
+    "23_clamped_plate_map": ["clamped_plate_map.png"],
     "24_leeb_hardness": ["leeb.csv", "leeb.png"],
 }
 
