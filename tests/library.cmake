@@ -18,7 +18,8 @@ file(GLOB_RECURSE besides_studies ${PROJECT_SOURCE_DIR}/studies/adhesion/*.cpp
   ${PROJECT_SOURCE_DIR}/studies/yield/*.cpp)
 list(FILTER besides_studies EXCLUDE REGEX "/main[.]cpp$")
 set(besides_examples ${PROJECT_SOURCE_DIR}/examples/gas/collision.cpp ${PROJECT_SOURCE_DIR}/examples/gas/gas.cpp)
-set(besides_identities ${CMAKE_CURRENT_SOURCE_DIR}/identities/cases.cpp)
+set(besides_identities ${CMAKE_CURRENT_SOURCE_DIR}/identities/cases.cpp
+  ${CMAKE_CURRENT_SOURCE_DIR}/identities/contacts.cpp)
 set(besides_docs ${CMAKE_CURRENT_SOURCE_DIR}/docs/src/bodies/hammer.cpp)
 set_source_files_properties(${besides_bench} PROPERTIES COMPILE_OPTIONS "-O3;-fopenmp-simd" SKIP_PRECOMPILE_HEADERS ON)
 set_source_files_properties(bench/test_finite_elements.cpp PROPERTIES INCLUDE_DIRECTORIES ${PROJECT_SOURCE_DIR})

@@ -21,17 +21,21 @@ std::vector<std::string> keys_of(const Kind& its) {
   std::vector<std::string> keys;
   for (const Parameter& each : its.parameters) keys.emplace_back(each.name);
   if (its.can_be_rigid) keys.emplace_back("rigid");
-  if (!its.wall) keys.insert(keys.end(), {"relaxation", "young_is", "material"});
+  if (!its.wall) keys.insert(keys.end(), {"relaxation", "young_is"});
+  if (!its.wall && !its.from_file) keys.emplace_back("material");
   if (parameter(its, "poisson") != nullptr) keys.insert(keys.end(), {"c_p", "c_s"});
   return keys;
 }
+
+/// What stands for it.
+std::string_view name_of(const Kind& its) { return its.from_file ? "@FILE" : its.name; }
 
 /// Its help: name, keys, and what it is.
 std::string lines_of(const Kind& its) {
   const std::vector<std::string> keys = keys_of(its);
   std::string with = keys.empty() ? "" : fmt::format(",\n   keys {}", fmt::join(keys, ", "));
   if (its.add_layer) with += "\n   and layers below, as /KEY=NUMBER,... (the last may be a block)";
-  return fmt::format("\n  {}: {}{}", its.name, its.help, with);
+  return fmt::format("\n  {}: {}{}", name_of(its), its.help, with);
 }
 
 /// The keys of a further layer of one.
@@ -49,10 +53,9 @@ std::vector<std::string> layer_keys_of(const Kind& its) {
 /// @param young_is what is said of the modulus, which is for all layers
 Participant parse_numbers(const Kind& its, const std::vector<std::string>& parts, std::size_t from,
                           const std::vector<std::string>& keys, const Participant& first, std::string& young_is) {
-  const std::string name(its.name);
-  Participant against{.kind = name, .plane = first.plane};
+  Participant against{.kind = std::string(its.name), .plane = first.plane};
   std::string relaxation;
-  for (const auto& [key, value] : parse_keys("against", parts, from, keys, " with " + name)) {
+  for (const auto& [key, value] : parse_keys("against", parts, from, keys, fmt::format(" with {}", name_of(its)))) {
     if (key == "material") {
       against.material_name = without_spaces(value);
     } else if (key == "relaxation") {
@@ -73,17 +76,41 @@ Participant parse_numbers(const Kind& its, const std::vector<std::string>& parts
     }
   }
   const bool in_si = first.material || !against.material_name.empty();
-  if (in_si && !its.wall && meets(kind(first.kind), its)) {
+  if (in_si && !its.wall && !its.from_file && meets(kind(first.kind), its)) {
     set_material(against, first.material ? first.material->poisson : 0.0, "against");
   }
   if (!relaxation.empty()) against.relaxation = parse_relaxation("against relaxation", relaxation);
   return against;
 }
 
+/// With its modulus as "instantaneous" or "relaxed".
+Participant with_young(Participant against, const std::string& young_is) {
+  try {
+    take_young(against, young_is);
+  } catch (const InvalidInput& error) {
+    throw error.within("against");
+  }
+  return against;
+}
+
+/// @FILE[,key=value…]: the name of the file, which may have commas, ends where a key and its value follow one.
+Participant parse_file(const std::string& text, const Participant& first) {
+  const std::vector<std::string> parts = split(text, ',');
+  std::size_t keys = 1;
+  while (keys < parts.size() && parts[keys].find('=') == std::string::npos) ++keys;
+  const Kind& its = kind("modal");
+  std::string young_is;
+  Participant given = parse_numbers(its, parts, keys, keys_of(its), first, young_is);
+  Participant of_file = modal_from_file(
+      "against", fmt::format("{}", fmt::join(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(keys), ",")));
+  of_file.values = std::move(given.values), of_file.relaxation = std::move(given.relaxation);
+  return with_young(std::move(of_file), young_is);
+}
+
 /// What --against says: KIND[,key=value…], with the numbers of further layers after slashes.
 /// @throws InvalidInput for an unknown kind or key, a key that comes twice, and what is no number
 Participant parse_against(const std::string& text, const Participant& first) {
-  if (names_file(text)) return modal_from_file("against", text);
+  if (names_file(text)) return parse_file(text, first);
   const std::vector<std::string> layers = split(text, '/');
   const std::vector<std::string> parts = split(layers.front(), ',');
   std::vector<std::string> names;
@@ -98,12 +125,7 @@ Participant parse_against(const std::string& text, const Participant& first) {
   for (std::size_t i = 1; i < layers.size(); ++i) {
     against.below.push_back(parse_numbers(its, split(layers[i], ','), 0, layer_keys_of(its), first, young_is));
   }
-  try {
-    take_young(against, young_is);
-  } catch (const InvalidInput& error) {
-    throw error.within("against");
-  }
-  return against;
+  return with_young(std::move(against), young_is);
 }
 
 }  // namespace
@@ -116,11 +138,9 @@ void EncounterOptions::add_to(CLI::App& to, const std::string& note) {
       "What the body meets (default: wall); numbers in units of the first, or\nin SI if it has a material";
   std::vector<std::string_view> names;
   for (const Kind& its : kinds()) {
-    if (its.from_file) continue;
     help += lines_of(its);
-    names.push_back(its.name);
+    if (!its.from_file) names.push_back(its.name);
   }
-  help += "\n  @FILE: " + std::string(kind("modal").help);
   const std::string type = fmt::format("{{{}}}[,KEY=VALUE]...", fmt::join(names, ","));
   add(to, "--against", against, help + note, type, "Against");
 }

@@ -12,6 +12,7 @@
 #include "prediction/idealized.hpp"
 #include "prediction/touching.hpp"
 #include "prediction/warnings.hpp"
+#include "prediction/waves.hpp"
 #include "restitution/ordered_jobs.hpp"
 #include "restitution/yield_errors.hpp"
 #include "stoss/encounter/roughness.hpp"
@@ -21,8 +22,11 @@
 namespace stoss {
 namespace {
 
+using prediction::as_it_yields;
 using prediction::Touching;
 using prediction::Variant;
+using prediction::waves_of;
+using prediction::without_yield;
 
 constexpr double gravity = 9.80665;  // m/s²
 
@@ -31,22 +35,6 @@ Restitution computed_impact(const Encounter& encounter, double speed, double tol
   constexpr double small = 1e-5;  // error of 1 − ε², which models and constants exceed
   return best_restitution(refinable(encounter), speed_in_c(encounter, speed),
                           {.tolerance = tolerance, .absolute = small, .poll = poll});
-}
-
-/// Share of the energy that waves take.
-double waves_of(const Restitution& its) {
-  return std::max(its.lost_fraction.value - its.dissipated - its.yielded, 0.0);
-}
-
-/// Share of it that runs away in a block or a plate: heat and flow count with each body, so the modes tell.
-double radiated(const Restitution& its, bool block) {
-  if (!block) return 0.0;
-  double ring = its.lost_to_first, run = its.lost_to_second;
-  if (its.dissipated > 0.0 || its.yielded > 0.0) {
-    ring = run = 0.0;
-    for (const ModeEnergy& mode : its.finest.energy.modes) (mode.body == 0 ? ring : run) += mode.after;
-  }
-  return ring + run > 0.0 ? waves_of(its) * run / (ring + run) : 0.0;
 }
 
 /// One speed, with all that it needs.
@@ -60,7 +48,7 @@ class PredictionAtSpeed {
         options_(options),
         poll_(poll),
         unit_(si_scales(given)->time),
-        elastic_(computed_impact(elastic(given), speed, options.tolerance, poll)),
+        elastic_(computed_impact(without_yield(given), speed, options.tolerance, poll)),
         touching_(prediction::touching(given, options.work_of_adhesion, frequency())),
         yields_(yields(given)),
         real_(yields_ ? computed_impact(as_it_yields(given), speed, options.tolerance, poll) : elastic_),
@@ -84,7 +72,7 @@ class PredictionAtSpeed {
     }
     made.warnings = prediction::warnings(encounter_, limits_, real_, made);
     if (asperities_of(encounter_) > 0.0 && !std::isnan(elastic_.restitution.value)) {
-      const Encounter smooth = elastic(prediction::with_smooth_faces(encounter_));
+      const Encounter smooth = without_yield(prediction::with_smooth_faces(encounter_));
       const Restitution its = computed_impact(smooth, speed_, options_.tolerance, poll_);
       made.warnings.push_back(prediction::saved_by_asperities(waves_of(elastic_), waves_of(its)));
     }
@@ -92,20 +80,6 @@ class PredictionAtSpeed {
   }
 
  private:
-  static Encounter elastic(Encounter encounter) {
-    for (Participant* each : {&encounter.first, &encounter.against}) {
-      each->values.erase("yield_strength");
-      each->values.erase("yield_hardening");
-      each->values.erase("yield_rate");
-    }
-    return encounter;
-  }
-
-  /// Coats spread the pressure, and nothing is known of what yields below one. Asperities are much lower than a dent.
-  static Encounter as_it_yields(const Encounter& encounter) {
-    return prediction::with_yield(prediction::with_smooth_faces(encounter));
-  }
-
   /// What the law of yield leaves open of 1 − ε²: in the errors of the engine, here among the models.
   [[nodiscard]] double doubt() const {
     if (real_.runs.empty()) return 0.0;  // nothing is known
@@ -148,7 +122,7 @@ class PredictionAtSpeed {
       const double error = real_.lost_fraction.error - doubt_;
       made.restitution.error = error / (std::sqrt(its * its + error) + its);
     }
-    const double waves = waves_of(real_), away = radiated(real_, at_block());
+    const double waves = waves_of(real_), away = prediction::radiated(real_, at_block());
     made.shares = {waves - away, away, real_.dissipated, std::max(real_.yielded, 0.0), sticks ? left : adhesion};
     const auto largest = std::max_element(made.shares.begin(), made.shares.end());
     made.dominant = static_cast<Channel>(largest - made.shares.begin());
@@ -182,7 +156,7 @@ class PredictionAtSpeed {
   /// One impact with as many nodes as the coarsest of these.
   [[nodiscard]] Impact impact_at(const Encounter& encounter, double cutoff) const {
     const FixedResolution& coarse = real_.runs.front().resolution;
-    const Encounter real = yields_ ? as_it_yields(encounter) : elastic(encounter);
+    const Encounter real = yields_ ? as_it_yields(encounter) : without_yield(encounter);
     const double speed = speed_in_c(real, speed_);
     ImpactOptions how{.poll = poll_};
     how.resolution = {.nodes = coarse.nodes, .tail = coarse.tail};

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include "stoss/restitution/oblique_curve.hpp"
 #include "stoss/stoss.h"
 #include "support/c_handles.hpp"
+#include "support/csv.hpp"
 
 namespace stoss {
 using namespace test;
@@ -113,6 +116,33 @@ TEST(COblique, RefusesAndStops) {
   const stoss_control control{1, [](void*) { return 1; }, nullptr};
   EXPECT_EQ(stoss_oblique(ball, &asked, 1, 1e-2, &control, &result), STOSS_INTERRUPTED);
   EXPECT_EQ(result.before.speed, 0.0);  // as it was
+}
+
+/// The document of a body in examples/any_body.
+std::string body_of_file(const std::string& name) {
+  std::ifstream stream(data_path("../../examples/any_body/" + name + ".json"));
+  return R"({"kind": "modal", "body": )" + std::string{std::istreambuf_iterator<char>(stream), {}} + "}";
+}
+
+TEST(COblique, TakesBodiesOfFilesWithATangent) {
+  const std::string ball = R"({"first": {"kind": "sphere", "radius": 0.005, "material": "bearing steel"}, "against": )";
+  CContact beam, bell;
+  ASSERT_EQ(stoss_open((ball + body_of_file("beam_0") + "}").c_str(), &beam), STOSS_OK) << stoss_message();
+  const double speed = 0.5 / stoss_speed_unit(beam);
+  const std::array<stoss_obliquity, 2> asked{{{speed, speed, 0.0, 0.0, 0.2}, {speed, -speed, 0.0, 0.0, 0.2}}};
+  std::array<stoss_oblique_result, 2> results{};
+  ASSERT_EQ(stoss_oblique(beam, asked.data(), asked.size(), STOSS_OBLIQUE_TOLERANCE, nullptr, results.data()), STOSS_OK)
+      << stoss_message();
+  EXPECT_EQ(results[0].sliding_after.value, -results[1].sliding_after.value);
+  // All slides at 45°: Coulomb's law takes 3.5 of the ball and some of the beam, over the impulse of the normal impact.
+  const double slid = (results[0].sliding - results[0].sliding_after.value) / (0.2 * speed);
+  EXPECT_GT(slid, 3.4 * (1.0 + results[0].restitution.value));
+  EXPECT_LT(slid, 3.5 * (1.0 + results[0].restitution.value));
+  ASSERT_EQ(stoss_open((ball + body_of_file("bell") + "}").c_str(), &bell), STOSS_OK) << stoss_message();
+  EXPECT_EQ(stoss_oblique(bell, asked.data(), 1, STOSS_OBLIQUE_TOLERANCE, nullptr, results.data()),
+            STOSS_INVALID_INPUT);
+  EXPECT_EQ(std::string(stoss_message()).rfind("friction: got 'bell' without tangential data", 0), 0U)
+      << stoss_message();
 }
 
 }  // namespace

@@ -37,35 +37,6 @@ def test_what_it_meets_has_the_modulus_of_its_frequency(stoss, quality):
     assert error < 0.003 * of_modes
 
 
-OBLIQUE = "oblique --speed 0.5 --friction 0.3 --angle 5,20,45 --format json"
-
-
-@pytest.mark.numbers
-@pytest.mark.parametrize("against", ["wall", "half-space,material=glass", "same"])
-def test_sphere_of_a_mesh_rubs_as_the_sphere(stoss, against):
-    every = [json.loads(stoss.run(OBLIQUE, f"--body {each} --against {against}").stdout)["records"]
-             for each in (f"@{FILES}/sphere.json", SPHERE.removeprefix("--body "))]  # fmt: skip
-    for found, exact in zip(*every):
-        for name in ("restitution", "tangential_restitution", "sliding_after", "spin_after"):
-            assert abs(found[name] - exact[name]) <= found[f"{name}_error"] + exact[f"{name}_error"], name
-        assert found["tangential_restitution_error"] < 0.02
-
-
-@pytest.mark.numbers
-def test_ball_rubs_on_the_middle_of_a_beam(stoss):
-    """Its normal motion is that of the central impact, and a block gives back more."""
-    ball = "--body sphere --radius 0.005 --material 'bearing steel'"
-    beam = f"--against @{FILES}/beam_0.json"
-    rows = json.loads(stoss.run(OBLIQUE, ball, beam).stdout)["records"]
-    thick = json.loads(stoss.run(OBLIQUE, ball, "--against half-space,material='structural steel'").stdout)["records"]
-    central, = json.loads(stoss.run("restitution --speed 0.5 --tolerance 0.1 --format json", ball, beam).stdout)["records"]
-    for row, its in zip(rows, thick):
-        assert abs(row["restitution"] - central["restitution"]) <= row["restitution_error"] + central["restitution_error"]
-        assert row["restitution"] < 0.95 * its["restitution"]
-        assert row["tangential_restitution_error"] < 0.03
-        assert abs(row["tangential_restitution"]) <= 1
-
-
 @pytest.mark.parametrize("bodies", [
     "--body @{0}/sphere.json --yield-strength 3e8", "--body @{0}/sphere.json --yield-strength 3e8 --against half-space,material=glass",
     "--body @{0}/sphere.json --yield-strength 3e8 --against plate,material=glass,thickness=0.02",
@@ -84,6 +55,57 @@ def test_predict_takes_bodies_of_files_as_balls(stoss, bodies):
         assert abs(one["restitution"] - other["restitution"]) <= both
         assert one["by_models"] == pytest.approx(other["by_models"], rel=0.02, abs=1e-6)
     assert found[-1]["yield"] > 0.1
+
+
+STEEL = "radius=0.01,young=210e9,poisson=0.3,density=7850"
+
+
+@pytest.mark.parametrize("ball", [
+    "--body sphere --radius 0.005 --material 'bearing steel'", "--body @{0}/sphere.json",
+    "--body @{0}/sphere.json --yield-strength 5e8",
+])  # fmt: skip
+@pytest.mark.parametrize("strength", ["yield_strength=3e8", "yield_strength=3e8,yield_hardening=2e9,yield_rate=0.02"])
+def test_a_partner_of_a_file_yields_as_a_sphere_of_its_curvature(stoss, ball, strength):
+    """Nearly all is lost to the dent, which knows nothing of the mesh."""
+    for words in ("restitution --speed 0.2 --tolerance 0.4 --format json", "predict --speed 0.01,0.5 --format json"):
+        found, exact = (json.loads(stoss.run(words, ball.format(FILES), f"--against {each},{strength}").stdout)["records"]
+                        for each in (f"@{FILES}/sphere.json", f"sphere,{STEEL}"))  # fmt: skip
+        for one, other in zip(found, exact):
+            errors = one["restitution_error"] + other["restitution_error"] + 0.01 * other.get("by_models", 0.0)
+            assert abs(one["restitution"] - other["restitution"]) <= errors
+            assert one["restitution"] == pytest.approx(other["restitution"], rel=2e-3)
+            assert one["restitution"] < 0.98
+            for name in ("yield", "by_models", "yielded"):
+                assert one.get(name) == pytest.approx(other.get(name), rel=5e-3), name
+
+
+def test_a_table_of_predictions_takes_partners_of_files_that_yield(stoss):
+    words = "table --predict --body sphere --radius 0.005 --material 'bearing steel' --speed 0.05:1 --error 1e-2 --format json"
+    rows = [json.loads(stoss.run(words, f"--against {each},yield_strength=3e8").stdout)["records"]
+            for each in (f"@{FILES}/sphere.json", f"sphere,{STEEL}")]  # fmt: skip
+    for one, other in zip(*rows, strict=True):
+        assert one["speed"] == other["speed"]
+        assert one["restitution"] == pytest.approx(other["restitution"], rel=2e-3)
+
+
+@pytest.mark.parametrize("given, said", [
+    ("sphere.json,yeld_strength=3e8", "'yeld_strength', allowed roughness, u0, coat"), ("sphere.json,yeld_strength=3e8", "did you mean yield_strength?"),
+    ("sphere.json,material=glass", "with @FILE"), ("sphere.json,yield_strength=-1", "yield_strength: got -1"),
+    ("sphere.json,yield_strength=x", "yield_strength: got 'x'"), ("sphere.json,yield_strength=1,yield_strength=2", "twice"),
+    ("sphere.json,yield_rate=0.1", "yield_strength: missing"), ("sphere.json,young_is=relaxed", "young_is: the modes of a body file"),
+])  # fmt: skip
+def test_numbers_beside_a_file_are_those_of_its_face(stoss, given, said):
+    result = stoss.run(f"restitution {SPHERE} --speed 0.1 --against @{FILES}/{given}")
+    assert (result.returncode, result.stdout, result.stderr.count("\n")) == (3, "", 1), result.stderr
+    assert said in result.stderr
+
+
+def test_the_name_of_a_file_may_have_commas(stoss, tmp_path):
+    path = tmp_path / "one,two.json"
+    path.write_text((FILES / "sphere.json").read_text())
+    words = f"restitution {SPHERE} --speed 0.1 --tolerance 0.4 --against"
+    for more in ("", ",yield_strength=3e8"):
+        assert stoss.data(words, f"@{path}{more}") == stoss.data(words, f"@{FILES}/sphere.json{more}") != []
 
 
 @pytest.mark.parametrize("name, change, said", [
@@ -114,27 +136,6 @@ def test_a_file_that_cannot_be_read_is_an_error_of_input_and_output(stoss, tmp_p
             result = stoss.run(command, "--speed 0.1", where, f"@{path}", more)
             assert (result.returncode, result.stdout, result.stderr.count("\n")) == (4, "", 1), result.stderr
             assert "cannot read" in result.stderr and reason in result.stderr
-
-
-def test_friction_needs_a_tangent(stoss, tmp_path):
-    """Without data along the surface one line says so; with them the body rubs and turns."""
-    rub = "oblique --speed 0.05 --tangential 0.1 --friction 0.05 --tolerance 0.05 --format json"
-    refused = stoss.run(rub, f"--body @{FILES}/hollow_sphere_mesh.json")
-    assert refused.returncode == 3 and refused.stdout == "" and refused.stderr.count("\n") == 1
-    assert "tangential data" in refused.stderr and "allowed" in refused.stderr
-    body = json.loads((FILES / "sphere.json").read_text())
-    body["tangent"] = {"direction": [0, 1, 0], "compliance": 0}  # where all slides they do not matter
-    body["modes"]["tangential_displacement"] = [0] * len(body["modes"]["frequency"])
-    path = tmp_path / "rough.json"
-    path.write_text(json.dumps(body))
-    found, exact = (json.loads(stoss.run(rub, each).stdout)["records"][0] for each in (f"--body @{path}", SPHERE))
-    for name in ("tangential_restitution", "spin_after"):
-        allowed = found[f"{name}_error"] + exact[f"{name}_error"]
-        assert abs(found[name] - exact[name]) <= allowed, name
-        assert found[name] == pytest.approx(exact[name], rel=2e-3), name
-    body["tangent"]["direction"] = [6, 0, 8]
-    path.write_text(json.dumps(body))
-    assert "perpendicular" in stoss.run(rub, f"--body @{path}").stderr
 
 
 @pytest.mark.parametrize("against", ["wall", "same", "half-space,material=glass"])

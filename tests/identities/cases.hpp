@@ -45,6 +45,7 @@ inline void PrintTo(const Case& its, std::ostream* out) { *out << its.name; }
 
 /// Whether a material takes energy.
 [[nodiscard]] bool is_lossy(const Case& its);
+
 /// The contact of a case, its second body or its wall included.
 [[nodiscard]] Contact contact_of(const Case& its);
 

@@ -8,24 +8,19 @@ import os
 from typing import Any, Mapping
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from stoss import _core
-from stoss._arguments import number, numbers, refusal
+from stoss._arguments import refusal
 from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._material import Material
+from stoss.bodies._faces import face_of
 from stoss.bodies._modal_file import read_document, write_document
-from stoss.bodies._faces import FACE, face_of
+from stoss.bodies._modal_numbers import FORMAT, LISTS, NESTED, NUMBERS, ready, require
 from stoss.bodies._kinds import Specification
 from stoss.bodies._solid import Solid
 
-FORMAT = "stoss modal body 1"
-NUMBERS = ("mass", "young", "poisson", "density", "compliance", "loss_time", "compliance_error", "complete_to")
-ALONG = ("tangential_displacement", "tangential_displacement_curvature", "tangential_displacement_error")
-LISTS = ("frequency", "displacement", "displacement_curvature", "frequency_error", "displacement_error", *ALONG)
-TANGENT = ("direction", "compliance", "compliance_error", "mass", "inertia", "arm", "cross")
-NESTED = {"modes": LISTS, "rotation": ("inertia", "point", "normal"), "tangent": TANGENT}
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True, repr=False, eq=False)
@@ -121,43 +116,10 @@ class ModalBody(Solid):
     origin: str = ""
 
     def __post_init__(self) -> None:
-        made: dict[str, Any] = {}
-        for name in LISTS:
-            given = getattr(self, name)
-            needed = name in ("frequency", "displacement")
-            made[name] = _fixed(name, given) if needed or given is not None else None
-        count = made["frequency"].size
-        for name in ("frequency_error", "displacement_error"):
-            made[name] = _fixed(name, np.zeros(count)) if made[name] is None else made[name]
-        highest = made["frequency"][-1] if count else None
-        for name in FACE:
-            made[name] = number(name, getattr(self, name))
-        for name in NUMBERS:
-            given = getattr(self, name)
-            if name != "complete_to" or given is not None or highest is None:
-                made[name] = _finite(name, number(name, given))
-        made.setdefault("complete_to", None if highest is None else float(highest))
-        bends = _finite("curvature", numbers("curvature", self.curvature))
-        if bends.shape not in ((), (2,)):
-            raise refusal("curvature", self.curvature, "one number or two in 1/m (0: a plane)")
-        made["curvature"] = float(bends) if bends.ndim == 0 else (float(bends[0]), float(bends[1]))
-        for name, needs in (("rotation", "inertia, point and normal"), ("tangent", "direction and compliance")):
-            given = getattr(self, name)
-            if given is None:
-                continue
-            if not isinstance(given, Mapping):
-                raise refusal(name, given, f"a mapping with {needs}")
-            made[name] = {str(inner): _inner(name, str(inner), each) for inner, each in given.items()}
-        if not isinstance(self.held, (bool, np.bool_)):
-            raise refusal("held", self.held, "True or False")
-        made["held"] = bool(self.held)
-        for name in ("name", "origin"):
-            if not isinstance(getattr(self, name), str):
-                raise refusal(name, getattr(self, name), "a text")
-        for name, value in made.items():
+        for name, value in ready(self).items():
             object.__setattr__(self, name, value)
         object.__setattr__(self, "_text", json.dumps(self.to_dict(), sort_keys=True))
-        _require(self.to_dict())
+        require(self.to_dict())
         _core.check_face(self.roughness, self.u0)
         lossy = self.loss_time or None
         material = Material(young=self.young, poisson=self.poisson, density=self.density, loss_time=lossy)
@@ -199,7 +161,7 @@ class ModalBody(Solid):
             words: dict[str, Any] = json.loads(json.dumps(given, allow_nan=False))
         except (TypeError, ValueError, RecursionError):
             raise refusal("body", given, "numbers, lists and texts, all finite") from None
-        _require(words)
+        require(words)
         modes = words.pop("modes")
         del words["format"]
         return cls(**words, **modes)
@@ -259,33 +221,3 @@ def _again(document: Mapping[str, Any], face: Mapping[str, Any]) -> ModalBody:
     """The body of a document, with what says how rough its face is."""
     words = {name: each for name, each in document.items() if name not in ("format", "modes")}
     return ModalBody(**words, **document["modes"], **face)
-
-
-def _finite(name: str, value: Any) -> Any:
-    if not np.all(np.isfinite(value)):
-        raise refusal(name, value, "finite numbers")
-    return value
-
-
-def _fixed(name: str, given: ArrayLike, most: int = 1) -> NDArray[np.float64]:
-    """A read-only copy of a list, or of what has so many dimensions."""
-    array = _finite(name, numbers(name, given))
-    if not 1 <= array.ndim <= most:
-        raise refusal(name, given, "a list of numbers")
-    array.flags.writeable = False
-    return array  # type: ignore[no-any-return]
-
-
-def _inner(where: str, name: str, given: Any) -> Any:
-    """A number of a tangent, or a list."""
-    if where == "tangent" and name != "direction":
-        return _finite(name, number(f"tangent {name}", given))
-    return _fixed(name, given, 2)
-
-
-def _require(document: Specification) -> None:
-    """Refuse what the core refuses of a body."""
-    try:
-        _core.encounter(json.dumps({"first": {"kind": "modal", "body": document}}))
-    except InvalidInput as error:
-        raise error.renamed(error.name.removeprefix("first ").removeprefix("body ")) from None

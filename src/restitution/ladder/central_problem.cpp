@@ -122,8 +122,8 @@ Restitution CentralProblem::concluded() {
   }
   const bool converged = runs >= fewest_runs && result_.converged;  // two runs that agree are not enough
   if (!converged) conclude(where.probe(), where.speed, correction_, result_);
-  if (result_.lost_fraction.error <= 1.0) add_doubt_of_laws(where.probe(), result_);
   add_input_uncertainty(where.contact, where.speed, where.stretch, options_, result_);
+  if (result_.lost_fraction.error <= 1.0) add_doubt_of_laws(where.probe(), result_);
   result_.converged = converged;
   if (converged) return std::move(result_);
   if (result_.lost_fraction.error > 1.0) {
