@@ -123,7 +123,7 @@ int ObliqueProblem::add(int level) {
   if (!impacts_.empty()) add_along(level);
   if (normal) add_normal(level);
   if (along) next_along_ = shares_ || !central_ ? level + between() : next_normal_;
-  if (central_ && next_along_ > along_.highest) mark_unconverged(trouble_along_);
+  if (central_ && next_along_ > along_.highest) give_up(trouble_along_);
   return next(level);
 }
 
@@ -132,7 +132,7 @@ int ObliqueProblem::skip(int level) {
     next_normal_ += shares_ && central_->runs() < fewest_runs ? between() : central_->skip(level);
   }
   if (wants_along(level)) next_along_ = shares_ || !central_ ? level + between() : next_normal_;
-  if (central_ && next_along_ > along_.highest) mark_unconverged(where().trouble);
+  if (central_ && next_along_ > along_.highest) give_up(where().trouble);
   return next(level);
 }
 
@@ -153,7 +153,7 @@ void ObliqueProblem::add_along(int level) {
   open_.erase(std::remove_if(open_.begin(), open_.end(), done), open_.end());
   if (open_.empty()) return;
   const auto out_of_reach = [](const ObliqueRestitution* each) { return is_out_of_reach(*each); };
-  if (std::all_of(open_.begin(), open_.end(), out_of_reach)) return mark_unconverged("");
+  if (std::all_of(open_.begin(), open_.end(), out_of_reach)) return give_up("");
   const Contact& resolved = where().at(level);
   const double highest = own_.contact.cutoff(along_.highest);
   if (content_ == Content::motion_along) {    // a table needs all of them
@@ -166,10 +166,10 @@ void ObliqueProblem::add_along(int level) {
   }
   const auto hopeless = [&](const ObliqueRestitution* each) { return is_hopeless(plan_, *each, highest); };
   const bool costs_much = takes_seconds_after(resolved, open_.front()->finest, shares_, open_.size());
-  if (costs_much && std::all_of(open_.begin(), open_.end(), hopeless)) mark_unconverged("");
+  if (costs_much && std::all_of(open_.begin(), open_.end(), hopeless)) give_up("");
 }
 
-void ObliqueProblem::mark_unconverged(const std::string& reason) {
+void ObliqueProblem::give_up(const std::string& reason) {
   for (ObliqueRestitution* each : open_) {
     each->reason = reason;
     mark_unconverged(plan_, *each);
@@ -195,10 +195,10 @@ void ObliqueProblem::close_normal() {
 double ObliqueProblem::solve() {
   try {
     climb(where(), *this);
-    mark_unconverged(where().trouble.empty() ? trouble_along_ : where().trouble);
+    give_up(where().trouble.empty() ? trouble_along_ : where().trouble);
     if (normal_is_open_) close_normal();
   } catch (const DoesNotEnd& error) {
-    mark_unconverged(error.what());
+    give_up(error.what());
   }
   if (central_) {
     for (ObliqueRestitution* each : all_) {

@@ -44,7 +44,7 @@ class ObliqueProblem {
   [[nodiscard]] int next(int level);  // rungs, after one that is done
   void add_normal(int level);
   void add_along(int level);
-  void mark_unconverged(const std::string& reason);  // what is open of s′
+  void give_up(const std::string& reason);  // what is open of s′
   void close_normal();
 
   ObliqueOptions options_;
