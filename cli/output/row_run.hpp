@@ -77,7 +77,7 @@ class RowRun {
   std::size_t done_ = 0;
   std::size_t marked_ = 0;
   bool stays_ = false;
-  double least_ = 1.0;  // ε above 0
+  double least_ = 1.0;                  // ε above 0
   double strain_ = 0.0, turned_ = 0.0;  ///< greatest of the rows that are beyond what is small
   double fastest_ = 0.0;                ///< speed of the fastest row, c of the first body
 };
