@@ -58,7 +58,7 @@ class Calibration(Result):
             are one body.
         friction: Coefficient of Coulomb's law, None where there was none.
         constants: What was found, in the order of the unknowns.
-        correlation (ndarray): Of the constants, from the uncertainties of the data.
+        correlation (ndarray): That of the constants, from the uncertainties of the data.
         quantity (ndarray): What each value is: 'restitution', 'tangential_restitution', 'contact_time' or 'peak_force'.
         speed (ndarray): Speed of impact along the normal, m/s.
         angle (ndarray): From the normal, degrees.

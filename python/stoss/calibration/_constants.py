@@ -71,7 +71,7 @@ class Constant:
 
     @property
     def kind(self) -> Kind:
-        """Of which kind it is."""
+        """Its kind."""
         return KINDS_OF_CONSTANTS[self.own]
 
     @property

@@ -28,7 +28,7 @@ class Data:
         speed: Of approach along the normal, m/s.
         angle: From the normal, degrees; 0 of central impacts.
         value: As measured, after what the air has taken.
-        covariance: Of the values; if their uncertainties are not known, of the relative size that they share.
+        covariance: Covariance of the values; if their uncertainties are not known, of the relative size that they share.
         known: Whether the uncertainties are known.
         flies: Whether heights or times of flight were given.
     """
@@ -43,7 +43,7 @@ class Data:
 
     @property
     def uncertainty(self) -> NDArray[np.float64]:
-        """Of each value by itself."""
+        """Uncertainty of each value by itself."""
         return np.asarray(np.sqrt(np.diag(self.covariance)))
 
 

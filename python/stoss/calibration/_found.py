@@ -34,7 +34,7 @@ def found(given: Any, meeting: Meeting, unknowns: list[Constant], air: bool, kno
 
 
 def _flight(body: object, air: bool) -> Flight | None:
-    """Of a sphere; its size and mass are those that were given, whatever is sought."""
+    """The flight of a sphere; its size and mass are those that were given, whatever is sought."""
     if not isinstance(body, Sphere):
         return None
     radius: float = getattr(body, "radius")

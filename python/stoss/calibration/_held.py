@@ -28,7 +28,7 @@ class Held:
     Attributes:
         name: As that of an unknown one.
         uncertainty: u: it is known within a factor of 1 + u.
-        changes: Of the logarithms of the unknown constants, per that of this one.
+        changes: Change of the logarithms of the unknown constants, per that of this one.
         alike: Which of these changes the data in the same way.
     """
 

@@ -41,7 +41,7 @@ class Solution:
         residuals: Over the uncertainties, whitened.
         slopes: d(value)/d(log constant).
         answer: A, of the logarithms to changes of the values.
-        covariance: Of the logarithms, as the uncertainties of the data make it.
+        covariance: Covariance of the logarithms, as the uncertainties of the data make it.
         numerical: What numerical errors may do to them.
     """
 

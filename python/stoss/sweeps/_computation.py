@@ -174,7 +174,7 @@ def _speeds(body: Body, given: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 MOST_WARNINGS = 4
-"""Of losses in the materials of different cases, in one sweep."""
+"""Warnings of losses in the materials of different cases, in one sweep."""
 
 
 class Case(NamedTuple):

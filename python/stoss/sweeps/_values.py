@@ -24,7 +24,7 @@ from stoss.sweeps._grid import Grid
 from stoss.sweeps._specification import label, numbers_of_bodies, unit_of_body
 
 DIMENSIONS = {"speed": "speed", "tangential": "speed", "spin": "frequency", "second_spin": "frequency"}
-"""Of axes; an angle is in degrees, the others are pure numbers."""
+"""Units of axes; an angle is in degrees, the others are pure numbers."""
 
 
 @dataclasses.dataclass(frozen=True, repr=False, eq=False)
