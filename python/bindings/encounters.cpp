@@ -10,6 +10,7 @@
 #include "stoss/encounter/inputs.hpp"
 #include "stoss/encounter/laws.hpp"
 #include "stoss/encounter/materials.hpp"
+#include "stoss/encounter/programs.hpp"
 #include "stoss/encounter/relaxing.hpp"
 #include "stoss/encounter/roughness.hpp"
 #include "stoss/encounter/series.hpp"
@@ -32,6 +33,19 @@ py::list all_kinds() {
     all.append(
         py::make_tuple(each.name, each.wall, each.bounded, each.can_be_rigid, each.has_plane, each.from_file, numbers));
   }
+  return all;
+}
+
+/// Names of the laws that are fitted, and the laws of each program.
+py::list fitted_names() {
+  py::list all;
+  for (const FittedLaw& law : fitted_laws()) all.append(law.name);
+  return all;
+}
+
+py::dict programs_of_laws() {
+  py::dict all;
+  for (const FittedProgram& program : fitted_programs()) all[py::str(program.name)] = py::tuple(py::cast(program.laws));
   return all;
 }
 
@@ -155,6 +169,8 @@ void bind_encounters(py::module_& module) {
   bind_contacts(module);
   def(module, "kinds", &all_kinds);
   def(module, "inputs", &all_inputs);
+  def(module, "fitted_laws", &fitted_names);
+  def(module, "fitted_programs", &programs_of_laws);
   def(module, "meets", {"first", "against"},
       [](const std::string& first, const std::string& against) { return meets(kind(first), kind(against)); });
   def(module, "series", {"name", "text"},
