@@ -65,7 +65,8 @@ void add_fit(CLI::App& app) {
   }
   for (const FittedProgram& each : fitted_programs()) {
     programs.push_back(each.name);
-    program_help += fmt::format("\n  {:<11} {} ({})", each.name + ":", each.writes, fmt::join(each.laws, ", "));
+    program_help +=
+        fmt::format("\n  {:<11} {} ({}; {})", each.name + ":", each.writes, fmt::join(each.laws, ", "), each.tried);
   }
   add_choice(command, "--law", arguments.law, laws, law_help, "NAME", "Law")->required();
   arguments.approach.add_to(command, Question::fit, "Law");

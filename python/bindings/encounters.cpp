@@ -36,16 +36,19 @@ py::list all_kinds() {
   return all;
 }
 
-/// Names of the laws that are fitted, and the laws of each program.
-py::list fitted_names() {
+/// Names of the laws that are fitted.
+py::list names_of_laws() {
   py::list all;
   for (const FittedLaw& law : fitted_laws()) all.append(law.name);
   return all;
 }
 
+/// Title, laws and trial of each program.
 py::dict programs_of_laws() {
   py::dict all;
-  for (const FittedProgram& program : fitted_programs()) all[py::str(program.name)] = py::tuple(py::cast(program.laws));
+  for (const auto& [name, title, laws, writes, tried] : fitted_programs()) {
+    all[py::str(name)] = py::make_tuple(title, py::tuple(py::cast(laws)), tried);
+  }
   return all;
 }
 
@@ -169,7 +172,7 @@ void bind_encounters(py::module_& module) {
   bind_contacts(module);
   def(module, "kinds", &all_kinds);
   def(module, "inputs", &all_inputs);
-  def(module, "fitted_laws", &fitted_names);
+  def(module, "fitted_laws", &names_of_laws);
   def(module, "fitted_programs", &programs_of_laws);
   def(module, "meets", {"first", "against"},
       [](const std::string& first, const std::string& against) { return meets(kind(first), kind(against)); });

@@ -47,11 +47,11 @@ def _kratos_lines(law: Any) -> list[str]:
     relation |= {"STATIC_FRICTION": law.friction, "DYNAMIC_FRICTION": law.friction, "FRICTION_DECAY": 0.0}
     relation |= {"ROLLING_FRICTION": 0.0, "ROLLING_FRICTION_WITH_WALLS": 0.0}
     of_ball, of_pair = ({name: float(digits(value)) for name, value in each.items()} for each in (ball, relation))
-    kind = {"DEM_DISCONTINUUM_CONSTITUTIVE_LAW_NAME": "DEM_D_Hertz_viscous_Coulomb"}
+    kind: dict[str, Any] = {"DEM_DISCONTINUUM_CONSTITUTIVE_LAW_NAME": "DEM_D_Hertz_viscous_Coulomb"}
     document = {
         "materials": [{"material_name": "ball", "material_id": 1, "Variables": of_ball}],
         "material_relations": [
-            {"material_names_list": ["ball", "ball"], "material_ids_list": [1, 1], "Variables": {**of_pair, **kind}}
+            {"material_names_list": ["ball", "ball"], "material_ids_list": [1, 1], "Variables": kind | of_pair}
         ],
         "material_assignation_table": [["SpheresPart", "ball"]],
     }

@@ -123,8 +123,21 @@ def test_the_table_of_the_page_is_made_so():
 
 
 def test_programs_are_those_of_the_core():
-    assert {name: tuple(of.laws) for name, of in PROGRAMS.items()} == _core.fitted_programs()
+    laws = {name: tuple(of.laws) for name, of in PROGRAMS.items()}
+    assert laws == {name: laws for name, (_, laws, _) in _core.fitted_programs().items()}
     assert list(LAWS) == _core.fitted_laws()
+
+
+def test_the_pages_name_every_program():
+    root = Path(__file__).parents[3] / "docs"
+    laws, chooser = ((root / each).read_text(encoding="utf-8") for each in ("reference/laws.md", "howto/programs.md"))
+    for name, (title, its, tried) in _core.fitted_programs().items():
+        rows = [line.split("|") for line in laws.splitlines() if line.count("|") == 7]
+        (row,) = (row for row in rows if f"`{name}`" in row[2])
+        assert title.removeprefix("Altair ") in row[1] and all(f"`{law}`" in row[3] for law in its), name
+        assert row[6].strip() == ("not tried" if tried == "never run" else tried.removeprefix("in tests, ")), name
+        (line,) = (line for line in chooser.splitlines() if re.search(rf"(--program |or `){name}`", line))
+        assert title in line and line.endswith("| never run |" if tried == "never run" else "| yes |"), name
 
 
 @pytest.mark.parametrize("law, program", [(law, name) for name, of in PROGRAMS.items() for law in of.laws])
