@@ -1,11 +1,13 @@
 // stoss fit: declared here, done by the Python package, which has the force laws and an optimiser.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app.hpp"
 #include "input/encounter.hpp"
 #include "input/inputs.hpp"
 #include "process/process.hpp"
 #include "stoss/encounter/document.hpp"
+#include "stoss/encounter/programs.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"
 
@@ -53,25 +55,24 @@ void add_fit(CLI::App& app) {
       "  stoss fit --body sphere --material glass --radius 0.001 --speed 0.1:1 --law tsuji");
   CLI::App& command = *arguments.command;
   arguments.who.first.add_poisson_to(command);
-  add_choice(command, "--law", arguments.law,
-             {"linear", "tsuji", "viscoelastic", "hunt-crossley", "thornton", "walton", "mujoco", "table"},
-             "The force law or rule\n"
-             "  linear:        spring and dashpot\n"
-             "  tsuji:         Hertz with a constant alpha\n"
-             "  viscoelastic:  Kuwabara and Kono, Brilliantov and Poeschel\n"
-             "  hunt-crossley: Hertz times (1 + lambda v)\n"
-             "  thornton:      elastic-plastic spheres\n"
-             "  walton:        three numbers: e, mu, beta0\n"
-             "  mujoco:        solref\n"
-             "  table:         rows of speed and eps",
-             "NAME", "Law")
-      ->required();
+  std::vector<std::string> laws, programs;
+  std::string law_help = "The force law or rule", program_help =
+                                                      "Fit the law as this program integrates it, and print\n"
+                                                      "input lines for it";
+  for (const auto& [name, what] : fitted_laws()) {
+    laws.push_back(name);
+    law_help += fmt::format("\n  {:<14} {}", name + ":", what);
+  }
+  for (const FittedProgram& each : fitted_programs()) {
+    programs.push_back(each.name);
+    program_help +=
+        fmt::format("\n  {:<11} {} ({}; {})", each.name + ":", each.writes, fmt::join(each.laws, ", "), each.tried);
+  }
+  add_choice(command, "--law", arguments.law, laws, law_help, "NAME", "Law")->required();
   arguments.approach.add_to(command, Question::fit, "Law");
   add_input(command, Question::fit, "friction", arguments.friction, "Law");
   arguments.who.add_to(command);
-  add_choice(command, "--program", arguments.program,
-             {"lammps", "liggghts", "yade", "mercurydpm", "chrono", "mujoco", "acutrace", "aspherix"},
-             "Fit the law as this program integrates it, and print input lines for it", "NAME", "Output");
+  add_choice(command, "--program", arguments.program, programs, program_help, "NAME", "Output");
   add(command, "-o,--output", arguments.output, "Write to FILE instead of stdout; it appears whole or not at all",
       "FILE", "Output");
   add_threads(command, arguments.threads);

@@ -10,6 +10,7 @@
 #include "stoss/encounter/inputs.hpp"
 #include "stoss/encounter/laws.hpp"
 #include "stoss/encounter/materials.hpp"
+#include "stoss/encounter/programs.hpp"
 #include "stoss/encounter/relaxing.hpp"
 #include "stoss/encounter/roughness.hpp"
 #include "stoss/encounter/series.hpp"
@@ -31,6 +32,22 @@ py::list all_kinds() {
     }
     all.append(
         py::make_tuple(each.name, each.wall, each.bounded, each.can_be_rigid, each.has_plane, each.from_file, numbers));
+  }
+  return all;
+}
+
+/// Names of the laws that are fitted.
+py::list names_of_laws() {
+  py::list all;
+  for (const FittedLaw& law : fitted_laws()) all.append(law.name);
+  return all;
+}
+
+/// Title, laws and trial of each program.
+py::dict programs_of_laws() {
+  py::dict all;
+  for (const auto& [name, title, laws, writes, tried] : fitted_programs()) {
+    all[py::str(name)] = py::make_tuple(title, py::tuple(py::cast(laws)), tried);
   }
   return all;
 }
@@ -155,6 +172,8 @@ void bind_encounters(py::module_& module) {
   bind_contacts(module);
   def(module, "kinds", &all_kinds);
   def(module, "inputs", &all_inputs);
+  def(module, "fitted_laws", &names_of_laws);
+  def(module, "fitted_programs", &programs_of_laws);
   def(module, "meets", {"first", "against"},
       [](const std::string& first, const std::string& against) { return meets(kind(first), kind(against)); });
   def(module, "series", {"name", "text"},

@@ -19,19 +19,20 @@ ODD = [0.0, -0.0, -1.0, math.inf, math.nan]
 def arguments(slowest, fastest):
     """Speed, sliding, friction, ratio: within the table, at its ends, beyond, and no numbers."""
     inside = [slowest, 0.3 * fastest, fastest, -0.7 * fastest, 0.5 * slowest, 2 * fastest]
-    plain = [(v, s * v, f, r) for v in inside for s in (0.0, 0.3, -0.2, 5.0) for f in (0.0, 0.3, 1.7) for r in (1.0, 1.2, 0.4)]
+    slides, frictions, ratios = (0.0, 0.3, -0.2, 5.0), (0.0, 0.3, 1.7), (1.0, 1.2, 0.4)
+    plain = [(v, s * v, f, r) for v in inside for s in slides for f in frictions for r in ratios]
     first = (inside[1], 0.1 * slowest, 0.3, 1.1)
     return plain + [tuple(x if i == k else y for i, y in enumerate(first)) for k in range(4) for x in ODD]
 
 
 def encounters(fastest):
-    """Two bodies, normal and friction: 1/m, 1/I, R, velocity, spin of a, then of b; at random, and such as are refused."""
+    """1/m, 1/I, R, velocity and spin of two bodies, normal and friction; at random, and such as are refused."""
     draw = random.Random(5)
     some = lambda size: [size * draw.uniform(-1, 1) for _ in range(3)]  # noqa: E731
     met = []
     for _ in range(40):
         a = [1.0, 2.5, 1.0, *some(0.5 * fastest), *some(fastest)]
-        b = [draw.choice([0.0, 0.3]), draw.choice([0.0, 1.1]), draw.choice([1.0, 1.3]), *some(0.5 * fastest), *some(fastest)]
+        b = [*map(draw.choice, ([0.0, 0.3], [0.0, 1.1], [1.0, 1.3])), *some(0.5 * fastest), *some(fastest)]
         met.append((*a, *b, *some(3.0), 0.3))
     return met + [tuple(x if i == k else y for i, y in enumerate(met[1])) for k in range(22) for x in ODD]
 
@@ -65,7 +66,8 @@ class Language:
 class C(Language):
     def run(self, folder, rule, asked, met, dimensions):
         show = " ".join(["%.17g"] * 4)
-        lines = [f'printf("{show}\\n", {", ".join(f"{rule}_{each}({self.numbers(at)})" for each in VALUES)});' for at in asked]
+        values = lambda at: ", ".join(f"{rule}_{each}({self.numbers(at)})" for each in VALUES)  # noqa: E731
+        lines = [f'printf("{show}\\n", {values(at)});' for at in asked]
         kind = f"{rule}_body_{dimensions}d"
         spins = ["spin"] if dimensions == 2 else ["spin[0]", "spin[1]", "spin[2]"]
         places = [*(f"velocity[{i}]" for i in range(dimensions)), *spins]
@@ -113,7 +115,8 @@ class Rust(Language):
             call = f"table::{rule}_collide_{dimensions}d(&mut a, &mut b, &{self.array(normal)}, {self.numbers(row[-1:])})"
             spins = "&[each.spin]" if dimensions == 2 else "&each.spin"
             lines.append(f'  print!("{{}}", {call});')
-            lines.append(f'  for each in &[a, b] {{ for x in each.velocity.iter().chain({spins}) {{ print!(" {{}}", x); }} }}')
+            lines.append("  for each in &[a, b] {")
+            lines.append(f'    for x in each.velocity.iter().chain({spins}) {{ print!(" {{}}", x); }} }}')
             lines.append("  println!(); }")
         (folder / "main.rs").write_text("mod table;\nfn main() {\n" + "\n".join(lines) + "\n}\n")
         (folder / "unused.rs").write_text("mod table;\nfn main() {}\n")

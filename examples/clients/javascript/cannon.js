@@ -5,8 +5,8 @@
 //   npm ci --omit=peer && node cannon.js
 //
 // Copy `collided`. cannon-es calls it where a contact begins, before it solves it, and multiplies the velocity that
-// bodies have before gravity acts. But its contacts are stiff springs with a dashpot, which change the velocity too, by up
-// to 0.4 of it. So `collided` makes this contact, in this step alone, so hard and so slow that neither counts. The ratio
+// bodies have before gravity acts. But its contacts are springs with a dashpot, which change the velocity too, by up to
+// 0.3 of it. So `collided` makes this contact, in this step alone, so stiff and so slow that neither counts. The ratio
 // of the speeds is then that of the table to 1e-9. Units are m, kg, s.
 import { Body, Plane, Sphere, Vec3, World } from "cannon-es";
 import { compare } from "./compare.js";

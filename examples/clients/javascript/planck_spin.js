@@ -29,8 +29,8 @@ function motion(fixture, point) {
   };
 }
 
-// Changes the motions of two bodies by the rule, with the normal from a to b; false where they are slower than its table
-// begins, or do not approach.
+// Changes the motions of two bodies by the rule, with the normal from a to b; false where they are slower than its
+// table begins, or do not approach.
 function collide(a, b, [x, y], friction) {
   const approach = (a.velocity[0] - b.velocity[0]) * x + (a.velocity[1] - b.velocity[1]) * y;
   return approach >= STOSS_RULE_SLOWEST && stoss_rule_collide_2d(a, b, [x, y], friction) === 1;

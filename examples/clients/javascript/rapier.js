@@ -7,7 +7,7 @@
 // Copy beforeStep. Rapier in JavaScript asks nobody for a restitution (in Rust PhysicsHooks do): it is set before each
 // step, as that of the ball alone by the rule Max. Three things about Rapier 0.21:
 // - It multiplies the velocity that bodies have before gravity acts in this step.
-// - A contact keeps the restitution that its bodies had when they came near. Groups that are set anew make it look again.
+// - A contact keeps the restitution that its bodies had when they came near. Setting groups anew makes it look again.
 // - One restitution holds for all that a ball meets in a step.
 // The ratio of the speeds is then that of the table to the rounding of float. Units are m, kg, s.
 import RAPIER from "@dimforge/rapier3d-compat";

@@ -26,8 +26,8 @@ from stoss.results._si import warn_at
 if TYPE_CHECKING:
     from stoss.laws._law import Impacts, Law
 
-LAWS = ("linear", "tsuji", "viscoelastic", "hunt-crossley", "thornton", "walton", "mujoco", "table")
-PROGRAMS = ("lammps", "liggghts", "yade", "mercurydpm", "chrono", "mujoco", "acutrace", "aspherix")
+LAWS = tuple(_core.fitted_laws())
+PROGRAMS = tuple(_core.fitted_programs())
 
 
 class Misfit(NamedTuple):
@@ -182,12 +182,12 @@ def fit(
             an elastic block, or a rigid wall (default).
         law: 'linear', 'tsuji' (Hertz with a constant α), 'viscoelastic' (Kuwabara and Kono,
             Brilliantov and Pöschel), 'hunt-crossley', 'thornton' (elastic–plastic), 'walton' (three
-            numbers), 'mujoco' (solref) or 'table' (rows of v and ε).
+            numbers), 'mujoco' (solref), 'table' (rows of v and ε) or 'polynomial' (of the angle).
         speed: Slowest and fastest speed of approach, c (with a material: m/s).
         friction: Coefficient μ of Coulomb's law, 0 to 5. Without it nothing is said of ε_t.
-        program: 'lammps', 'liggghts', 'yade', 'mercurydpm', 'chrono', 'mujoco', 'acutrace' or
-            'aspherix': the law as this program integrates it, with its lines. Default: the law by
-            itself, whose contact ends where its force is gone.
+        program: The law as this program integrates it, with its lines: 'lammps', 'liggghts', 'yade',
+            'chrono', 'simbody', 'mujoco', 'gazebo' and others, which a refusal lists. Default: the
+            law by itself, whose contact ends where its force is gone.
 
     Examples:
         >>> ball = stoss.Sphere(radius=5e-3, material=stoss.materials["structural steel"])
@@ -207,25 +207,25 @@ def fit(
     _core.check_curve(speeds, 1e-3, 1e-6, count)
     if not 0.0 <= mu <= 5.0:
         raise refusal("friction", friction, "0 to 5")
-    wording = None
+    laws, wording = _names(), None
     if program is not None:
-        of = _names().PROGRAMS[choice("program", program, PROGRAMS)]
+        of = laws.PROGRAMS[choice("program", program, PROGRAMS)]
         wording = of.laws.get(chosen)
         if wording is None:
             raise InvalidInput.out_of_range("law", f"{chosen} for {program}", ", ".join(of.laws))
         if not of.walls and not isinstance(met, Sphere):
             raise refusal("against", against, f"a stoss.Sphere for {program}")
-    laws = _names()
+        if not of.balls and isinstance(met, Sphere):
+            raise refusal("against", against, f"a stoss.HalfSpace or a rigid wall for {program}")
     elastic = importlib.import_module("stoss.laws._elastic")
-    spring, ratios = laws.Spring(), laws.KAPPA
-    if wording is not None:
-        spring, ratios = wording.spring, wording.ratios
-    tells = chosen in ("linear", "tsuji", "viscoelastic", "hunt-crossley", "walton") and ratios is not None
+    spring, ratios = (wording.spring, wording.ratios) if wording else (laws.Spring(), laws.KAPPA)
+    tells = ratios is not None and chosen not in ("thornton", "mujoco", "table")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", StossWarning)  # said below, once
         impacts: Impacts = elastic.impacts_of(ball, met, slowest, fastest, mu if tells else 0.0, count, shows)
     warn_at(ball, met, speeds, 2)
-    made: Law = laws.LAWS[chosen].fitted(impacts, spring, ratios or laws.KAPPA)
+    its = (wording and wording.law) or laws.LAWS[chosen]
+    made: Law = its.fitted(impacts, spring, ratios or laws.KAPPA)
     made = dataclasses.replace(made, friction=mu)  # also where nothing is fitted to it
     return _result(ball, met, chosen, program, mu, made, impacts, () if wording is None else tuple(wording.write(made)))
 

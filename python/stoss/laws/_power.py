@@ -112,6 +112,11 @@ class Linear(PowerLaw):
     n = 1.0
     q = 0.0
 
+    @property
+    def epsilon(self) -> float:
+        """ε, the same at all speeds."""
+        return float(self.restitution(np.ones(1))[0])
+
     @classmethod
     def _head_on(cls, damping: Array, spring: Spring) -> tuple[Array, Array]:
         """The closed form."""
@@ -229,3 +234,13 @@ class HuntCrossley(PowerLaw):
     def hysteresis(self) -> float:
         """λ."""
         return self.damping / self.stiffness
+
+
+@dataclasses.dataclass(frozen=True)
+class LinearHuntCrossley(HuntCrossley):
+    """The same with a linear spring, as Drake has it: F = k δ (1 + λ δ̇). ε falls with λv alone, as above."""
+
+    EQUATION = "F = k δ (1 + λ δ̇)"
+    UNITS = {"stiffness": "N/m", "hysteresis": "s/m", "tangential_ratio": ""}
+    n = 1.0
+    q = 1.0

@@ -4,28 +4,33 @@ from __future__ import annotations
 
 from typing import Any, Callable, Mapping, NamedTuple
 
-from stoss.laws._law import KAPPA, Spring
+from stoss.laws._law import KAPPA, Law, Spring
 
 
 class Wording(NamedTuple):
     """A law in the words of a program.
 
     `ratios` are the stiffnesses along the surface over that along the normal that it can have; None if its friction
-    has no spring.
+    has no spring. `law` takes the place of the law of that name, if the program has another power of the overlap.
     """
 
     write: Callable[[Any], list[str]]
     spring: Spring
     ratios: tuple[float, float] | None = KAPPA
+    law: type[Law] | None = None
 
 
 class Program(NamedTuple):
-    """The laws that a program has, and how its comments begin and end: `comment` is None of a file without any."""
+    """The laws that a program has, and how its comments begin and end: `comment` is None of a file without any.
+
+    `walls` and `balls` say what a ball can meet in it.
+    """
 
     laws: Mapping[str, Wording]
     comment: str | None = "# "
     end: str = ""
     walls: bool = True
+    balls: bool = True
 
 
 def digits(value: float) -> str:

@@ -84,11 +84,14 @@ class Walton(Law):
 
     e: float
     beta0: float | None
+    slowest: float
+    """Of the fitted speeds, where programs with a threshold begin to bounce."""
 
     @classmethod
     def fitted(cls, impacts: Impacts, spring: Spring, ratios: tuple[float, float]) -> Walton:
         """The nearest such rule: ε is the mean."""
-        made = cls(impacts.pair, spring, impacts.friction, float(np.mean(impacts.restitution)), None)
+        mean, slowest = float(np.mean(impacts.restitution)), float(impacts.speed.min())
+        made = cls(impacts.pair, spring, impacts.friction, mean, None, slowest)
         if impacts.friction == 0.0:
             return made
         tried = np.minimum(BETAS[:, None], made._sliding_on(impacts.sliding))  # the same at all speeds
@@ -136,3 +139,68 @@ class Table(Law):
     @property
     def constants(self) -> dict[str, float]:
         return {f"restitution at {speed:.6g}": value for speed, value in zip(self.speeds, self.values)}
+
+
+POWERS = 3
+"""Of the angle, up to which polynomials go."""
+
+ANGLES = np.linspace(1.0, 90.0, 90)
+"""In degrees, at which polynomials are fitted."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Polynomial(Law):
+    """What becomes of a ball without spin that hits a wall, by polynomials of the angle between path and wall.
+
+    ε = Σ aᵢ θⁱ, and the velocity along the wall is multiplied by Σ bᵢ θⁱ, which is 1 − (2/7)(1 + ε_t); θ is in degrees.
+    Both are fitted at the fastest speed V, where the ball approaches with V sin θ and slides with s = V cos θ:
+    throughout, beyond the largest s/(μv) that was computed. Impacts slower along the normal than the range count as its
+    slowest.
+    """
+
+    NAME = "polynomial"
+    EQUATION = "ε = Σ aᵢ θⁱ, tangent Σ bᵢ θⁱ, θ in degrees"
+    UNITS = {}
+
+    normal: tuple[float, ...]
+    tangent: tuple[float, ...]
+    fastest: float
+
+    @classmethod
+    def fitted(cls, impacts: Impacts, spring: Spring, ratios: tuple[float, float]) -> Polynomial:
+        """The least squares of errors at each degree."""
+        speed, fastest, mu = impacts.speed, float(impacts.speed.max()), impacts.friction
+        angle = np.radians(ANGLES)
+        along = np.log(np.maximum(fastest * np.sin(angle), speed.min()))
+        epsilon = np.interp(along, np.log(speed), impacts.restitution)
+        kept = np.ones_like(angle)
+        if mu > 0.0:
+            sliding = 1.0 / (mu * np.tan(angle))
+            columns = [np.interp(along, np.log(speed), each) for each in impacts.tangential.T]
+            least = np.minimum(np.maximum(sliding, impacts.sliding[0]), impacts.sliding[-1])
+            sticks = np.array([np.interp(x, impacts.sliding, row) for x, row in zip(least, np.transpose(columns))])
+            slides = TURN * (1.0 + epsilon) / sliding - 1.0
+            kept = 1.0 - (1.0 + np.where(sliding > impacts.sliding[-1], slides, sticks)) / TURN
+        degrees = np.arange(POWERS + 1)
+        powers = (ANGLES[:, None] / 90.0) ** degrees
+        normal, tangent = (
+            tuple((np.linalg.lstsq(powers, each, rcond=None)[0] / 90.0**degrees).tolist())
+            for each in (epsilon, kept)
+        )
+        return cls(impacts.pair, spring, mu, normal, tangent, fastest)
+
+    def restitution(self, speed: Array) -> Array:
+        angle = np.degrees(np.arcsin(np.clip(speed / self.fastest, 0.0, 1.0)))
+        return np.polynomial.Polynomial(self.normal)(angle)  # type: ignore[no-any-return]
+
+    def tangential_restitution(self, speed: Array, sliding: Array) -> Array | None:
+        if self.friction == 0.0:
+            return None
+        angle = np.degrees(np.arctan(1.0 / (self.friction * sliding)))
+        along = TURN * (1.0 - np.polynomial.Polynomial(self.tangent)(angle)) - 1.0
+        return np.broadcast_to(along, (speed.size, sliding.size))
+
+    @property
+    def constants(self) -> dict[str, float]:
+        both = (("normal", self.normal), ("tangent", self.tangent))
+        return {f"{name} {power}": value for name, values in both for power, value in enumerate(values)}

@@ -213,7 +213,7 @@ def test_a_law_that_never_ends_is_refused(monkeypatch):
 
 
 def test_fits_of_rules_and_tables():
-    rule = Walton(PAIR, PUSHES, 0.3, 0.9, 0.45)
+    rule = Walton(PAIR, PUSHES, 0.3, 0.9, 0.45, 0.01)
     assert Walton.fitted(impacts_by(rule, 0.3), PUSHES, (0.1, 3.0)).constants == pytest.approx(rule.constants)
     yields = Thornton(PAIR, PUSHES, 0.0, 3e9, 0.02)
     found = Thornton.fitted(impacts_by(yields, 0.0), PUSHES, (0.1, 3.0))

@@ -22,8 +22,9 @@ ANGLED = np.geomspace(1e-3, 0.03, 5)
 @functools.cache
 def has(program):
     """Whether it is there."""
-    if program == "mujoco":
-        find = ["cc", "-include", "mujoco/mujoco.h", "-x", "c", "-E", "/dev/null"]
+    header = {"mujoco": "mujoco/mujoco.h", "simbody": "Simbody.h"}.get(program)
+    if header is not None:
+        find = ["cc", "-include", header, "-I/usr/include/simbody", "-x", "c++", "-E", "/dev/null"]
         return subprocess.run(find, capture_output=True).returncode == 0
     return shutil.which({"lammps": "lmp"}.get(program, program)) is not None
 
@@ -59,7 +60,7 @@ def collide(law, program, material, friction, folder, among=SPEEDS):
 
 
 HEAD_ON = [(law, program) for program in ("lammps", "liggghts") for law in ("linear", "tsuji", "viscoelastic")]
-HEAD_ON += [("mujoco", "mujoco")]
+HEAD_ON += [("mujoco", "mujoco"), ("hunt-crossley", "simbody")]
 YADE = [pytest.param(law, "yade", marks=pytest.mark.long) for law in ("linear", "tsuji")]
 
 
@@ -71,7 +72,7 @@ def test_head_on(law, program, tmp_path):
     assert np.abs(normal[:, 0] - elastic("rubber").restitution).max() <= fit.misfit["restitution"].maximum + 1e-4
 
 
-@pytest.mark.parametrize("law, program", [*HEAD_ON[:-1], *YADE])
+@pytest.mark.parametrize("law, program", [*HEAD_ON[:-2], *YADE])
 def test_at_angles(law, program, tmp_path):
     fit, normal, along = collide(law, program, "structural steel", FRICTION, tmp_path, ANGLED)
     assert normal == pytest.approx(np.repeat(fit.fitted.restitution(ANGLED)[:, None], 7, axis=1), abs=1e-3)
@@ -88,27 +89,31 @@ def test_friction_hardly_acts_in_mujoco(tmp_path):
     assert np.all(along < -0.999) and "tangential_restitution" not in fit.misfit
 
 
-@pytest.mark.parametrize("program", ["lammps", "liggghts"])
+LAWS = {"mujoco": ("mujoco",), "simbody": ("hunt-crossley",)}
+SPRINGS = ("linear", "tsuji", "viscoelastic")
+
+
+@pytest.mark.parametrize("program", ["lammps", "liggghts", "simbody"])
 def test_unequal_balls(program, tmp_path):
     """The constants are those of their reduced mass and radius."""
     if not has(program):
         pytest.skip(f"needs {program}")
     stiffer = stoss.Material(young=2e7, poisson=0.3, density=3000)
     ball, second = ball_of("rubber"), stoss.Sphere(radius=8e-3, material=stiffer)
-    for law in ("linear", "tsuji", "viscoelastic"):
+    for law in LAWS.get(program, SPRINGS):
         fit = stoss.fit(ball, against=second, law=law, speed=(1e-3, 0.1), program=program)
         pairs = two_balls.Pairs(ball, SPEEDS[::2], 0 * SPEEDS[::2], fit.fitted.contact_time(SPEEDS[::2]), second)
         normal, _ = getattr(two_balls, program)(pairs, fit.lines, tmp_path)
         assert 1 - normal == pytest.approx(1 - fit.fitted.restitution(SPEEDS[::2]), rel=1e-3)
 
 
-@pytest.mark.parametrize("program", ["lammps", "liggghts", "mujoco"])
+@pytest.mark.parametrize("program", ["lammps", "liggghts", "mujoco", "simbody"])
 def test_a_wall(program, tmp_path):
     """A ball meets a plane: the reduced mass and radius are its own."""
     if not has(program):
         pytest.skip(f"needs {program}")
     ball = ball_of("rubber")
-    for law in ("mujoco",) if program == "mujoco" else ("linear", "tsuji", "viscoelastic"):
+    for law in LAWS.get(program, SPRINGS):
         fit = stoss.fit(ball, law=law, speed=(1e-3, 0.1), program=program)
         rebound = two_balls.drop(program, ball, 0.05, fit.lines, float(fit.law_contact_time.min()), tmp_path)
         expected = fit.fitted.restitution(np.array([0.05]))[0]

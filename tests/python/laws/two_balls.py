@@ -173,10 +173,83 @@ def mujoco(pairs, lines, folder):
     return pairs.outcome(*_mujoco(places, speeds, pairs.balls[0], (pairs.step, pairs.steps), lines, folder))
 
 
+SIMBODY = """
+#include <Simbody.h>
+#include <cstdio>
+#include <fstream>
+
+int main(int, char **words) {
+  SimTK::MultibodySystem system;
+  SimTK::SimbodyMatterSubsystem matter(system);
+  SimTK::ContactTrackerSubsystem tracker(system);
+  SimTK::CompliantContactSubsystem forces(system, tracker);
+#include "lines"
+  std::ifstream balls(words[1]);
+  std::vector<SimTK::Vec3> places, velocities;
+  std::vector<SimTK::MobilizedBody::Free> bodies;
+  double x, y, z, u, v, w, radius, density;
+  while (balls >> x >> y >> z >> u >> v >> w >> radius >> density) {
+    const double mass = 4.0 / 3.0 * SimTK::Pi * density * radius * radius * radius;
+    SimTK::Body::Rigid body(SimTK::MassProperties(mass, SimTK::Vec3(0), SimTK::UnitInertia::sphere(radius)));
+    body.addContactSurface(SimTK::Transform(), SimTK::ContactSurface(SimTK::ContactGeometry::Sphere(radius), material));
+    bodies.emplace_back(matter.Ground(), SimTK::Transform(), body, SimTK::Transform());
+    places.emplace_back(x, y, z);
+    velocities.emplace_back(u, v, w);
+  }
+  if (std::string(words[3]) == "floor") {  // z < 0
+    matter.Ground().updBody().addContactSurface(
+        SimTK::Transform(SimTK::Rotation(SimTK::Pi / 2, SimTK::YAxis)),
+        SimTK::ContactSurface(SimTK::ContactGeometry::HalfSpace(), material));
+  }
+  SimTK::State state = system.realizeTopology();
+  for (size_t k = 0; k < bodies.size(); ++k) {
+    bodies[k].setQToFitTranslation(state, places[k]);
+    bodies[k].setUToFitLinearVelocity(state, velocities[k]);
+  }
+  const double time = std::stod(words[2]);
+  SimTK::RungeKuttaMersonIntegrator integrator(system);
+  integrator.setAccuracy(1e-9);
+  integrator.setMaximumStepSize(time / 2000);
+  SimTK::TimeStepper stepper(system, integrator);
+  stepper.initialize(state);
+  stepper.stepTo(time);
+  for (const auto &body : bodies) {
+    const SimTK::Vec3 place = body.getBodyOriginLocation(integrator.getState());
+    const SimTK::SpatialVec motion = body.getBodyVelocity(integrator.getState());
+    for (const SimTK::Vec3 &each : {place, motion[1], motion[0]}) {
+      std::printf("%.16g %.16g %.16g ", each[0], each[1], each[2]);
+    }
+    std::puts("");
+  }
+}
+"""
+
+
+def _simbody(places, velocities, sizes, time, lines, folder, floor=""):
+    """`sizes` are radii and densities."""
+    (folder / "lines").write_text("\n".join(lines) + "\n")
+    (folder / "main.cpp").write_text(SIMBODY)
+    np.savetxt(folder / "balls", np.column_stack([places, velocities, *sizes]), fmt="%.17g")
+    libraries = ["-lSimTKsimbody", "-lSimTKmath", "-lSimTKcommon"]
+    _run("c++", "-std=c++17", "-w", "-I/usr/include/simbody", "main.cpp", "-o", "main", *libraries, folder=folder)
+    out = _run("./main", "balls", f"{time:.17g}", floor or "none", folder=folder)
+    rows = np.array([line.split() for line in out.splitlines()], dtype=float)
+    return rows[:, :3], rows[:, 3:6], rows[:, 6:]
+
+
+def simbody(pairs, lines, folder):
+    places, speeds = np.concatenate([pairs.first, pairs.second]), np.concatenate(pairs.velocity)
+    time = pairs.step * pairs.steps
+    return pairs.outcome(*_simbody(places, speeds, (pairs.radii, pairs.densities), time, lines, folder))
+
+
 def drop(program, ball, speed, lines, contact_time, folder):
     """ε of one ball that meets the plane z = 0 head-on."""
     step = contact_time / 8000
     place, velocity = np.array([[0, 0, ball.radius + 3 * step * speed]]), np.array([[0, 0, -speed]])
+    if program == "simbody":
+        sizes = [ball.radius], [ball.density]
+        return _simbody(place, velocity, sizes, 30000 * step, lines, folder, "floor")[1][0, 2] / speed
     if program == "mujoco":
         floor = '<geom type="plane" size="1 1 1"/>'
         return _mujoco(place, velocity, ball, (step, 30000), lines, folder, floor)[1][0, 2] / speed

@@ -30,7 +30,7 @@ PAGES = (
     *(f"docs/tutorials/{name}.md" for name in ("drop_test", "lammps", "event_driven", "cad")),
     *(f"docs/howto/{name}.md" for name in (
         "units", "accuracy", "warnings", "curves", "plates", "two_bodies", "friction", "loss", "calibrate", "roughness", "vibration",
-        "rows", "recording", "engines", "sweeps", "plots", "export", "sound")),
+        "rows", "recording", "programs", "sweeps", "plots", "export", "sound")),
     "docs/reference/python.md", "docs/reference/laws.md",
 )  # fmt: skip
 # Pictures that a page draws and shows.
