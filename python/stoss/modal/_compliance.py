@@ -43,7 +43,7 @@ class Pressures:
 
     @property
     def radii(self) -> Vector:
-        """Of all, the widest last."""
+        """The radii of all pressures, the widest last."""
         return self.widest * np.array(SHARES)
 
     def loads(self) -> Vector:

@@ -22,10 +22,10 @@ class Skin:
     Attributes:
         space: Space of the displacements.
         curved (bool): Whether the other nodes are on the curved surface too, not amid the corners.
-        number: Of each node among all of the space, rising.
+        number: Numbers of the nodes among all of the space, rising.
         nodes: Where they are.
         facets: Six nodes of each facet.
-        corners, middles, areas, normals: Of each its three corners, their middle, its area and its
+        corners, middles, areas, normals: Three corners of each facet, their middle, its area and its
             outward normal, as if it were flat.
         outward: 1 where these corners are right-handed from outside, else −1.
     """
@@ -64,7 +64,7 @@ class Skin:
         return np.concatenate(self.mesh.comm.allgather(mine))
 
     def displacements(self, vector: Any) -> Vector:
-        """Of all nodes, from a vector that is spread over the processes."""
+        """Displacements of all nodes, from a vector that is spread over the processes."""
         rows, here = self._mine(vector)
         moved = np.zeros((len(self.number), 3))
         moved[here] = vector.array.reshape(-1, 3)[rows]
@@ -79,7 +79,7 @@ class Skin:
         return own.reshape(-1, len(loads))
 
     def distances(self, point: Vector, radius: float) -> Vector:
-        """Of the flat facets from a point; infinite of those that are not near."""
+        """Distances of the flat facets from a point; infinite if they are not near."""
         apart = np.full(len(self.facets), np.inf)
         near = np.flatnonzero(np.linalg.norm(self.middles - point, axis=1) < radius)
         starts = self.corners[near]
@@ -107,7 +107,7 @@ class Skin:
         return float(self._shares(facets, point, normal, radius).sum())
 
     def _shares(self, facets: NDArray[np.int64], point: Vector, normal: Vector, radius: float) -> Vector:
-        """Of the force, at each place where facets are integrated."""
+        """Shares of the force, at each place where facets are integrated."""
         arms = self._at[facets] - point
         square = (np.sum(arms**2, axis=2) - (arms @ normal) ** 2) / radius**2
         shares = np.where(square < 1.0, (1.0 - square) ** 2, 0.0) * (self._faces[facets] @ normal)
