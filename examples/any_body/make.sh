@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the body files in this folder, those named or all:
-#   ./make.sh [sphere|hollow_sphere|bar|beam|plate|ring|bell|bat|bat_held|coin]...
+#   ./make.sh [sphere|hollow_sphere|bar|beam|plate|ring|bell|bat|bat_held|coin|bell_map|clamped_plate_map]...
 # PYTHON is an interpreter that sees stoss and DOLFINx: that of `make modal-tools`.
 set -euo pipefail
 case ${1:-} in -h | --help) sed -n '2,4s/^# \?//p' "$0"; exit ;; esac
@@ -20,7 +20,7 @@ gmsh.model.mesh.generate(3)
 gmsh.write(sys.argv[2])' "$@"
 }
 
-for name in "${@:-sphere hollow_sphere bar beam plate ring bell bat bat_held coin}"; do
+for name in "${@:-sphere hollow_sphere bar beam plate ring bell bat bat_held coin bell_map clamped_plate_map}"; do
   for each in $name; do
     case $each in
       sphere)
@@ -85,7 +85,17 @@ for name in "${@:-sphere hollow_sphere bar beam plate ring bell bat bat_held coi
           --name "coin struck 9 mm from its middle" -o coin_9.json
         body coin --point=-12.5,0,0 --normal=-1,0,0 --size 1 --size-at-point 0.06 --modes 70 \
           --name "coin struck on its edge" -o coin_edge.json ;;
-      *) echo "make.sh: got '$each', allowed sphere, hollow_sphere, bar, beam, plate, ring, bell, bat, bat_held, coin" >&2; exit 2 ;;
+      bell_map) # all over the surface, from which CSV, VTU and PNG come
+        body_of bell --young 1.05e11 --poisson 0.34 --density 8700 --size 4 --coarser 1.25 --modes 45 \
+          --map "$work/bell_map.vtu" --points 500 --speed 0.1,1 \
+          --against 'sphere,radius=0.008,material=bearing steel'
+        cp "$work/bell_map.csv" . ;;
+      clamped_plate_map)
+        body clamped_plate --clamp rim --size 3.5 --coarser 1.3 --modes 45 \
+          --map "$work/clamped_plate_map.vtu" --points 400 --speed 0.3,3 \
+          --against 'sphere,radius=0.01,material=bearing steel'
+        cp "$work/clamped_plate_map.csv" . ;;
+      *) echo "make.sh: got '$each', allowed sphere, hollow_sphere, bar, beam, plate, ring, bell, bat, bat_held, coin," "bell_map, clamped_plate_map" >&2; exit 2 ;;
     esac
   done
 done

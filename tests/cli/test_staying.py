@@ -26,11 +26,16 @@ def test_a_body_that_parts_has_none(stoss):
 
 def test_a_small_value_comes_with_a_note(stoss):
     """As 0 does: of a real plate waves from its rim may throw the ball off."""
-    ball = "restitution --radius 0.01 --material 'bearing steel' --speed 1 --tolerance 0.05 --against plate,material=glass"
+    ball = (
+        "restitution --radius 0.01 --material 'bearing steel' --speed 1 --tolerance 0.05 --against plate,material=glass"
+    )
     for thickness, notes in ((0.005, 1), (0.02, 0)):
         result = stoss.run(f"{ball},thickness={thickness}")
         assert result.returncode == 0
-        assert result.stderr.count("may throw the body off with much more (python -m stoss.modal --plate LxWxH --edge") == notes
+        assert (
+            result.stderr.count("may throw the body off with much more (python -m stoss.modal --plate LxWxH --edge")
+            == notes
+        )
 
 
 def test_a_disk_on_a_strip_has_a_value_with_friction(stoss):

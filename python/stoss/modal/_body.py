@@ -26,11 +26,7 @@ def body_of(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]
     both = [arrays(each["modes"]) for each in (fine, coarse) if each is not None]
     modes = merged(both[0], both[1] if len(both) > 1 else None, growth)
     complete = float(modes.pop("complete_to")[0])
-    meshes = [
-        f"{each['tetrahedra']} tetrahedra ({each['unknowns']} unknowns)"
-        for each in (fine, coarse)
-        if each
-    ]
+    meshes = [f"{each['tetrahedra']} tetrahedra ({each['unknowns']} unknowns)" for each in (fine, coarse) if each]
     files = " and ".join(os.path.basename(each) for each in (given.mesh, given.coarse) if each)
 
     def statics(prefix: str) -> dict[str, float]:

@@ -43,14 +43,16 @@ class Pressures:
 
     @property
     def radii(self) -> Vector:
-        """Of all, the widest last."""
+        """The radii of all pressures, the widest last."""
         return self.widest * np.array(SHARES)
 
     def loads(self) -> Vector:
         """Forces at the nodes of the skin."""
-        axis = self.surface.tangent if self.along else self.surface.normal
-        place = (self.facets, self.surface.point, self.surface.normal, axis)
-        return np.array([self.surface.skin.pressure(*place, radius)[1] for radius in self.radii])
+        its, axis = self.surface, self.surface.normal
+        if self.along:
+            assert its.tangent is not None
+            axis = its.tangent
+        return np.array([its.skin.pressure(self.facets, its.point, its.normal, axis, b) for b in self.radii])
 
     def constant(self, poisson: float, energies: Vector) -> tuple[float, float]:
         """c0 in units with E = 1 from twice the elastic energies, extrapolated to no radius, and how far this reaches."""
@@ -80,8 +82,7 @@ def pressures(surface: Surface, curvature: float, widest: float | None, along: b
         allowed = _metres(surface, surface.edge * widest / least)
         raise _too_coarse(surface, f"allowed {allowed}, better a fourth of that")
     facets = surface.near(widest + 2.0 * surface.edge)
-    place = (facets, surface.point, surface.normal, surface.normal)
-    while abs(surface.skin.pressure(*place, widest)[0] - 1.0) > 0.01:
+    while abs(surface.skin.total(facets, surface.point, surface.normal, widest) - 1.0) > 0.01:
         widest *= 0.9
         if widest < least:
             near = _metres(surface, least)

@@ -26,7 +26,7 @@ from stoss.modal._solve import Meshed, Solved, meshes_of
 from stoss.results._restitution import restitution
 
 TOLERANCE = 0.01
-"""Of 1 − ε²: where it is not reached, the value has the error that it has."""
+"""The relative error of 1 − ε² that is asked for; where it is not reached, the value has a larger one."""
 
 Vector = NDArray[np.float64]
 
@@ -40,7 +40,7 @@ class Map:
         speeds: In m/s.
         restitution, error, contact_time: NaN where they are not known.
         reasons: Why not, of each point; "" if they are.
-        origin: Of which meshes.
+        origin: The meshes it comes from.
     """
 
     places: Places

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from typing import Any, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -38,7 +38,9 @@ def _vtu(made: Any, codes: Any) -> list[str]:
 
     def array(name: str, values: Any, kind: str = "Float64", parts: int = 1) -> str:
         text = " ".join("nan" if value != value else f"{value:.9g}" for value in np.ravel(values))
-        return f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{parts}" format="ascii">{text}</DataArray>\n'
+        return (
+            f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{parts}" format="ascii">{text}</DataArray>\n'
+        )
 
     places = made.places
     count, cells = len(places.points), len(places.triangles)
@@ -48,10 +50,18 @@ def _vtu(made: Any, codes: Any) -> list[str]:
         f'<Piece NumberOfPoints="{count}" NumberOfCells="{cells}">\n<PointData Scalars="restitution {made.speeds[0]:g} m/s">\n',
     ]
     for at, speed in enumerate(made.speeds):
-        for name, values in (("restitution", made.restitution), ("restitution_error", made.error), ("contact_time", made.contact_time)):
+        for name, values in (
+            ("restitution", made.restitution),
+            ("restitution_error", made.error),
+            ("contact_time", made.contact_time),
+        ):
             lines.append(array(f"{name} {speed:g} m/s", values[at]))
     lines += [array("normal", places.normals, parts=3), array("reason", codes, "Int32"), "</PointData>\n<Points>\n"]
-    lines += [array("points", places.points, parts=3), "</Points>\n<Cells>\n", array("connectivity", places.triangles, "Int64")]
+    lines += [
+        array("points", places.points, parts=3),
+        "</Points>\n<Cells>\n",
+        array("connectivity", places.triangles, "Int64"),
+    ]
     lines += [array("offsets", 3 * np.arange(1, cells + 1), "Int64"), array("types", np.full(cells, TRIANGLE), "UInt8")]
     return [*lines, "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n"]
 
@@ -69,6 +79,15 @@ def _csv(given: argparse.Namespace, made: Any, codes: Any) -> list[str]:
     return lines
 
 
+def _coloured(colours: Any, scale: Any, values: Any) -> Any:
+    """Colours of values, grey where they are not known."""
+    known = np.isfinite(values)
+    found = np.full((len(values), 4), GREY)
+    found[known] = colours(scale(values[known]))
+    return found
+
+
+GREY = (0.75, 0.75, 0.75, 1.0)
 VIEWS = ((25, -60), (25, 120), (-25, 30))
 """From where the picture looks, elevation and azimuth in degrees."""
 
@@ -85,15 +104,14 @@ def _picture(path: str, made: Any) -> None:
     rows = len(made.speeds)
     figure = plt.figure(figsize=(9.6, 3.4 * rows + 0.3), layout="constrained")
     scale = plt.Normalize(float(np.nanmin(made.restitution)), float(np.nanmax(made.restitution)))
-    colours = plt.get_cmap("viridis").copy()
-    colours.set_bad("0.75")
+    colours = plt.get_cmap("viridis")
     low, high = points.min(axis=0), points.max(axis=0)
     axes: list[Any] = []
     for row, speed in enumerate(made.speeds):
-        values = np.ma.masked_invalid(made.restitution[row][triangles].mean(axis=1))
+        values = made.restitution[row][triangles].mean(axis=1)
         for column, (elevation, azimuth) in enumerate(VIEWS):
             view: Any = figure.add_subplot(rows, len(VIEWS), len(VIEWS) * row + column + 1, projection="3d")
-            view.add_collection3d(Poly3DCollection(points[triangles], facecolors=colours(scale(values))))
+            view.add_collection3d(Poly3DCollection(points[triangles], facecolors=_coloured(colours, scale, values)))
             view.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
             view.set_box_aspect(high - low)
             view.set_axis_off()

@@ -30,7 +30,11 @@ SHORT = (
 def add_options(parser: argparse.ArgumentParser, numbers: Callable[[str], Any]) -> None:
     """Those of a map."""
     add = parser.add_argument
-    add("--map", metavar="OUT.vtu", help="ε all over the surface, with errors, in place of one point: also OUT.csv, OUT.png")
+    add(
+        "--map",
+        metavar="OUT.vtu",
+        help="ε all over the surface, with errors, in place of one point: also OUT.csv, OUT.png",
+    )
     add("--speed", type=numbers, metavar="V,…", help="of a map: speeds of impact, m/s")
     add(
         "--against", metavar="KIND[,KEY=VALUE]…",
@@ -50,9 +54,13 @@ def take_map(given: argparse.Namespace) -> None:
         return
     for name in OF_ONE_POINT:
         if getattr(given, name) is not None:
-            raise InvalidInput.conflict(name.replace("_", "-"), "is of one point, not of a map", "without it, or without --map")
+            raise InvalidInput.conflict(
+                name.replace("_", "-"), "is of one point, not of a map", "without it, or without --map"
+            )
     if not given.map.lower().endswith(".vtu"):
-        raise InvalidInput.out_of_range("map", f"'{given.map}'", "a name that ends in .vtu", "CSV and PNG are beside it")
+        raise InvalidInput.out_of_range(
+            "map", f"'{given.map}'", "a name that ends in .vtu", "CSV and PNG are beside it"
+        )
     if given.speed is None:
         raise InvalidInput.missing("speed", ": --speed V,… in m/s")
     if not all(0.0 < each < math.inf for each in given.speed):
@@ -66,7 +74,9 @@ def take_map(given: argparse.Namespace) -> None:
 
     held = any((given.clamp, given.spring))
     if held and not isinstance(given.against, Sphere):
-        raise InvalidInput.conflict("against", "a body that is held does not move", "--against sphere,radius=R,material=NAME")
+        raise InvalidInput.conflict(
+            "against", "a body that is held does not move", "--against sphere,radius=R,material=NAME"
+        )
 
 
 def _partner(text: str) -> Any:
@@ -76,14 +86,18 @@ def _partner(text: str) -> Any:
     kinds: dict[str, Any] = {"wall": stoss.HardWall, "half-space": stoss.HalfSpace, "sphere": stoss.Sphere}
     name, *pairs = text.split(",")
     if name not in kinds:
-        raise InvalidInput.out_of_range("against", f"'{name}'", ", ".join(kinds), "as sphere,radius=0.005,material=glass")
+        raise InvalidInput.out_of_range(
+            "against", f"'{name}'", ", ".join(kinds), "as sphere,radius=0.005,material=glass"
+        )
     kind, words = kinds[name], dict[str, Any]()
     allowed = [] if name == "wall" else [each.name for each in dataclasses.fields(kind) if each.init]
     for pair in pairs:
         key, equals, value = pair.partition("=")
         key = key.strip().replace("-", "_")
         if not equals or key not in allowed:
-            raise InvalidInput.out_of_range(f"against {name}", f"'{pair}'", "KEY=VALUE with " + (", ".join(allowed) or "no key"))
+            raise InvalidInput.out_of_range(
+                f"against {name}", f"'{pair}'", "KEY=VALUE with " + (", ".join(allowed) or "no key")
+            )
         if key == "material":
             words[key] = stoss.materials[value]
             continue

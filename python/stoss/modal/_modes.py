@@ -74,7 +74,7 @@ class Spectrum:
         return energies
 
     def _deflated(self, forces: Vector) -> Vector:
-        """Of loads that move no mode that is known, by conjugate gradients for all of them at once."""
+        """The same of loads that move no known mode, by conjugate gradients for all loads at once."""
         found, residual = np.zeros_like(forces), forces.copy()
         direction, slope = np.zeros_like(forces), np.ones(forces.shape[1])
         bound = RESIDUAL * np.sqrt(self._sums(np.sum(forces**2, axis=0)))

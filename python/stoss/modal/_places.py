@@ -24,12 +24,12 @@ class Places:
     triangles: NDArray[np.int64]
 
     def to_dict(self) -> dict[str, Any]:
-        """In plain types."""
+        """The same in plain types."""
         return {each.name: getattr(self, each.name).tolist() for each in dataclasses.fields(self)}
 
     @classmethod
     def of_dict(cls, given: Mapping[str, Any]) -> Places:
-        """Of what `to_dict` returns."""
+        """Places from what `to_dict` returns."""
         return cls(*(np.array(given[each.name]) for each in dataclasses.fields(cls)))
 
 

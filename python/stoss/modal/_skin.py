@@ -22,10 +22,10 @@ class Skin:
     Attributes:
         space: Space of the displacements.
         curved (bool): Whether the other nodes are on the curved surface too, not amid the corners.
-        number: Of each node among all of the space, rising.
+        number: Numbers of the nodes among all of the space, rising.
         nodes: Where they are.
         facets: Six nodes of each facet.
-        corners, middles, areas, normals: Of each its three corners, their middle, its area and its
+        corners, middles, areas, normals: Three corners of each facet, their middle, its area and its
             outward normal, as if it were flat.
         outward: 1 where these corners are right-handed from outside, else −1.
     """
@@ -52,8 +52,11 @@ class Skin:
         element = basix.create_element(
             basix.ElementFamily.P, basix.CellType.triangle, 2, basix.LagrangeVariant.equispaced
         )
-        values, *slopes = element.tabulate(1, at)[:3, :, :, 0]
-        self._values, self._slopes, self._weights = values, slopes, weights
+        self._values, *slopes = element.tabulate(1, at)[:3, :, :, 0]
+        x = self.nodes[self.facets]
+        one, other = (slope @ x for slope in slopes)
+        self._at = self._values @ x
+        self._faces = np.cross(one, other) * self.outward[:, None, None] * weights[:, None]
 
     def marked(self, facets: NDArray[np.int32]) -> NDArray[np.bool_]:
         """Which facets of all processes are among those that this one knows by their numbers in the mesh."""
@@ -61,7 +64,7 @@ class Skin:
         return np.concatenate(self.mesh.comm.allgather(mine))
 
     def displacements(self, vector: Any) -> Vector:
-        """Of all nodes, from a vector that is spread over the processes."""
+        """Displacements of all nodes, from a vector that is spread over the processes."""
         rows, here = self._mine(vector)
         moved = np.zeros((len(self.number), 3))
         moved[here] = vector.array.reshape(-1, 3)[rows]
@@ -76,7 +79,7 @@ class Skin:
         return own.reshape(-1, len(loads))
 
     def distances(self, point: Vector, radius: float) -> Vector:
-        """Of the flat facets from a point; infinite of those that are not near."""
+        """Distances of the flat facets from a point; infinite if they are not near."""
         apart = np.full(len(self.facets), np.inf)
         near = np.flatnonzero(np.linalg.norm(self.middles - point, axis=1) < radius)
         starts = self.corners[near]
@@ -89,25 +92,26 @@ class Skin:
         apart[near[over]] = np.abs(depth[over])
         return apart
 
-    def pressure(
-        self, facets: NDArray[np.int64], point: Vector, normal: Vector, axis: Vector, radius: float
-    ) -> tuple[float, Vector]:
-        """A smooth load of total force one, p ∝ (1 − r²/b²)² around the normal: against it, or an axis beside it.
+    def pressure(self, facets: NDArray[np.int64], point: Vector, normal: Vector, axis: Vector, radius: float) -> Vector:
+        """Forces at nodes of a smooth load of force one on these facets, p ∝ (1 − r²/b²)² around the normal.
 
-        Returns what of it acts on these facets, less than 1 where the surface ends or turns away, and
-        the forces at the nodes, divided by that.
+        It acts against the normal, or an axis beside it.
         """
-        nodes = self.facets[facets]
-        x = self.nodes[nodes]
-        arms = np.einsum("qi,fik->fqk", self._values, x) - point
-        one, other = (np.einsum("qi,fik->fqk", slope, x) for slope in self._slopes)
-        faces = np.cross(one, other) @ normal * self.outward[facets, None] * self._weights
-        square = (np.sum(arms**2, axis=2) - (arms @ normal) ** 2) / radius**2
-        shares = np.where(square < 1.0, (1.0 - square) ** 2, 0.0) * faces * 3.0 / (math.pi * radius**2)
-        total = float(shares.sum())
+        shares = self._shares(facets, point, normal, radius)
         forces = np.zeros(len(self.nodes))
-        np.add.at(forces, nodes, shares @ self._values)
-        return total, -(forces / total)[:, None] * axis if total else np.zeros((len(forces), 3))
+        np.add.at(forces, self.facets[facets], shares @ self._values)
+        return -(forces / shares.sum())[:, None] * axis
+
+    def total(self, facets: NDArray[np.int64], point: Vector, normal: Vector, radius: float) -> float:
+        """What of this pressure acts: less than 1 where the surface ends or turns away."""
+        return float(self._shares(facets, point, normal, radius).sum())
+
+    def _shares(self, facets: NDArray[np.int64], point: Vector, normal: Vector, radius: float) -> Vector:
+        """Shares of the force, at each place where facets are integrated."""
+        arms = self._at[facets] - point
+        square = (np.sum(arms**2, axis=2) - (arms @ normal) ** 2) / radius**2
+        shares = np.where(square < 1.0, (1.0 - square) ** 2, 0.0) * (self._faces[facets] @ normal)
+        return np.asarray(shares * 3.0 / (math.pi * radius**2))
 
     def _of_facets(self, topology: Any) -> tuple[NDArray[np.int64], Vector, Vector]:
         """Numbers and places of the six nodes of facets, and a place inside the body beside each: of all processes."""

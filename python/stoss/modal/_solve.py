@@ -77,7 +77,9 @@ class Meshed:
         surface = Surface(self.skin, self.length, point, normal, tangent, guessed)
         for each, marked in self._held:
             if np.any(marked[surface.facets]):
-                raise InvalidInput.conflict("point", f"it lies on '{each.surface}', or beside it: {each}", "another point")
+                raise InvalidInput.conflict(
+                    "point", f"it lies on '{each.surface}', or beside it: {each}", "another point"
+                )
         bends = self.curvature(surface)
         if sum(bends) < 0.0:
             raise InvalidInput.out_of_range(

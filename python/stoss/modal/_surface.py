@@ -94,7 +94,7 @@ class Surface:
         return nodes, scales[:, None] * np.linalg.pinv(powers), height
 
     def _heights(self) -> Vector:
-        """Of the surface over the plane of the normal, by their powers."""
+        """Heights of the surface over the plane of the normal, by powers."""
         _, rows, height = self._fit(6 if self.skin.curved else 3)
         return np.asarray(rows @ height)
 

@@ -12,23 +12,26 @@ MASS, FREQUENCY, RADIUS, SPEED = 0.1, 2.0, 0.01, 0.01
 STEEL = {"young": 2e11, "poisson": 0.3}
 
 
+def gap(t, start, speed, ball):
+    """Between a mass that swings from `start` on with this speed, and one that goes on from there."""
+    return start * np.cos(t) + speed * np.sin(t) - start - ball * t
+
+
 def billiard(ratio):
     """Speed after over before of such a mass, and how often it hits another on a spring, of mass 1 and ω = 1."""
     x, ball, other, hits = 0.0, 1.0, 0.0, 0
     times = np.linspace(1e-6, 60.0, 60001)
     while True:
-        ball, other = ((ratio - 1) * ball + 2 * other) / (ratio + 1), ((1 - ratio) * other + 2 * ratio * ball) / (ratio + 1)
-        start, speed, after = x, other, ball
+        ball, other = (
+            ((ratio - 1) * ball + 2 * other) / (ratio + 1),
+            ((1 - ratio) * other + 2 * ratio * ball) / (ratio + 1),
+        )
         hits += 1
-
-        def gap(t):
-            return start * np.cos(t) + speed * np.sin(t) - start - after * t
-
-        closed = np.flatnonzero(gap(times) < 0)
+        closed = np.flatnonzero(gap(times, x, other, ball) < 0)
         if not len(closed):
             return -ball, hits
-        t = brentq(gap, times[closed[0] - 1], times[closed[0]])
-        x, other = start + after * t, speed * np.cos(t) - start * np.sin(t)
+        t = brentq(gap, times[closed[0] - 1], times[closed[0]], args=(x, other, ball))
+        x, other = x + ball * t, other * np.cos(t) - x * np.sin(t)
 
 
 @pytest.mark.parametrize("ratio, hits", [(0.3, 1), (1.5, 2), (2.0, 2), (3.0, 3)])

@@ -1,5 +1,6 @@
 """Maps of ε over a surface: against files of single points, by symmetry, and where there is no value."""
 
+import warnings
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
@@ -9,13 +10,13 @@ from conftest import UNITS
 
 STEEL = "--material 'structural steel'"
 BALL = "--against 'sphere,radius=0.005,material=bearing steel'"
-EGG = 'SetFactory("OpenCASCADE");\nSphere(1) = {0, 0, 0, 10};\nDilate {{0, 0, 0}, {1, 1, 1.3}} { Volume{1}; }\n'
+ROUND = 'SetFactory("OpenCASCADE");\nSphere(1) = {0, 0, 0, 10};\n'
 BLOCK = """SetFactory("OpenCASCADE");
-Box(1) = {-20, -12, -8, 40, 24, 16};
+Box(1) = {-20, -15, -10, 40, 30, 20};
 Physical Surface("end") = {1};
 Physical Volume("block") = {1};
 """
-ON_EGG = f"egg.geo --unit mm {STEEL} --size 1.8 --modes 20"
+ON_ROUND = f"round.geo --unit mm {STEEL} --size 1.5 --modes 20"
 
 
 class Read:
@@ -38,7 +39,7 @@ class Read:
 @pytest.fixture(scope="module")
 def mapped(modal):
     """Runs it, and reads what it writes."""
-    (modal.folder / "egg.geo").write_text(EGG)
+    (modal.folder / "round.geo").write_text(ROUND)
     (modal.folder / "block.geo").write_text(BLOCK)
 
     def made(words, name):
@@ -51,77 +52,77 @@ def mapped(modal):
 
 
 @pytest.fixture(scope="module")
-def egg(mapped):
-    return mapped(f"{ON_EGG} {BALL} --speed 0.1,1 --points 60", "egg")[0]
+def sphere(mapped):
+    return mapped(f"{ON_ROUND} {BALL} --speed 0.1,1 --points 30", "sphere")[0]
 
 
-def test_files_agree(egg):
+def test_files_agree(sphere):
     for speed in (0.1, 1.0):
-        rows = egg.at(speed)
-        assert np.allclose(np.stack([rows[name] for name in "xyz"], axis=1), egg.points)
-        field = egg.fields[f"restitution {speed:g} m/s"].ravel()
+        rows = sphere.at(speed)
+        assert np.allclose(np.stack([rows[name] for name in "xyz"], axis=1), sphere.points)
+        field = sphere.fields[f"restitution {speed:g} m/s"].ravel()
         assert np.array_equal(rows["restitution"], field, equal_nan=True)
-        assert np.sum(np.isfinite(field)) >= 55
-    assert egg.table.units["contact_time"] == "s"
+        assert np.sum(np.isfinite(field)) >= 20
+    assert sphere.table.units["contact_time"] == "s"
 
 
-def test_surface_is_closed_and_faces_outward(egg):
-    corners = egg.points[egg.triangles]
-    edges = np.sort(egg.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+def test_surface_is_closed_and_faces_outward(sphere):
+    corners = sphere.points[sphere.triangles]
+    edges = np.sort(sphere.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     assert np.all(np.unique(edges, axis=0, return_counts=True)[1] == 2)
     volume = np.sum(corners[:, 0] * np.cross(corners[:, 1], corners[:, 2])) / 6.0
-    assert 0.7 < volume / (4.0 / 3.0 * np.pi * 1.3e-6) < 1.0
+    assert 0.6 < volume / (4.0 / 3.0 * np.pi * 1e-6) < 1.0
 
 
-def test_normals_are_those_of_the_ellipsoid(egg):
-    exact = egg.points / np.array([1.0, 1.0, 1.69])
-    exact /= np.linalg.norm(exact, axis=1)[:, None]
-    known = egg.fields["reason"].ravel() == 0
-    assert np.max(np.linalg.norm(egg.fields["normal"] - exact, axis=1)[known]) < 5e-3
+def test_normals_are_those_of_the_sphere(sphere):
+    known = sphere.fields["reason"].ravel() == 0
+    off = np.linalg.norm(sphere.fields["normal"] - sphere.points / 0.01, axis=1)
+    assert np.max(off[known]) < 2e-3
 
 
-def test_value_depends_on_the_height_alone(egg):
-    """Of a body of revolution: what points of about one height differ by is covered by their errors."""
-    rows = egg.at(1.0)
-    height, value, error = np.abs(rows["z"]), rows["restitution"], rows["restitution_error"]
-    good = np.isfinite(value)
-    smooth = np.polyval(np.polyfit(height[good] ** 2, value[good], 3), height[good] ** 2)
-    off = np.abs(value[good] - smooth)
-    assert np.mean(off < error[good]) > 0.9 and np.max(off / error[good]) < 2.0
-    assert np.ptp(smooth) > 3.0 * np.median(off)
+def test_all_points_of_a_sphere_are_alike(sphere):
+    """What they differ by is that of the mesh, which their errors cover."""
+    for speed in (0.1, 1.0):
+        rows = sphere.at(speed)
+        value, error = rows["restitution"], rows["restitution_error"]
+        good = np.isfinite(value)
+        assert np.all(np.abs(value - np.median(value[good]))[good] < error[good])
+        assert np.all(error[good] < 0.5 * (1 - value[good] ** 2))  # twenty modes tell that much of the loss
 
 
 def test_is_what_files_of_points_have(modal):
     """On the same two meshes a map is the body files of its points: it has no other engine."""
-    modal.gmsh(EGG, "egg_fine.msh", 2.0)
-    modal.gmsh(EGG, "egg_coarse.msh", 2.6)
-    common = f"egg_fine.msh egg_coarse.msh --unit mm {STEEL} --modes 15"
+    modal.gmsh(ROUND, "round_fine.msh", 1.5)
+    modal.gmsh(ROUND, "round_coarse.msh", 1.9)
+    common = f"round_fine.msh round_coarse.msh --unit mm {STEEL} --modes 8"
     done = modal.run(f"{common} {BALL} --speed 0.3 --points 12 --map both.vtu")
     assert done.returncode == 0, done.stderr
     table = Read(modal.folder, "both").table
     ball = stoss.Sphere(radius=0.005, material=stoss.materials["bearing steel"])
-    for at in np.flatnonzero(np.isfinite(table["restitution"]))[:2]:
+    for at in np.flatnonzero(np.isfinite(table["restitution"]))[[0, -1]]:
         row = table[int(at)]
         place = ",".join(f"{1e3 * row[name]:.12g}" for name in "xyz")
         normal = ",".join(f"{row[f'normal_{name}']:.12g}" for name in "xyz")
         body = modal.body(f"{common} --point {place} --normal {normal}", name="one.json")
-        hit = stoss.restitution(ball, against=stoss.ModalBody.from_dict(body), speed=[0.3], tolerance=0.01)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", stoss.StossWarning)
+            hit = stoss.restitution(ball, against=stoss.ModalBody.from_dict(body), speed=[0.3], tolerance=0.01)
         assert row["restitution"] == pytest.approx(hit.restitution[0], rel=1e-5)
         assert row["restitution_error"] == pytest.approx(hit.restitution_error[0], rel=1e-2)
 
 
 @pytest.mark.long
-def test_errors_cover_meshes_that_are_fine_at_the_point(modal, egg):
+def test_errors_cover_meshes_that_are_fine_at_the_point(modal, sphere):
     ball = stoss.Sphere(radius=0.005, material=stoss.materials["bearing steel"])
-    rows = egg.at(1.0)
-    places = np.flatnonzero(np.isfinite(rows["restitution"]))[[0, 9, 18, 27, 36, 45]]
+    rows = sphere.at(1.0)
+    places = np.flatnonzero(np.isfinite(rows["restitution"]))[[0, 4, 8, 12, 16]]
     covered = []
     for at in places:
         row = rows[int(at)]
         place = ",".join(f"{1e3 * row[name]:.9g}" for name in "xyz")
         normal = ",".join(f"{row[f'normal_{name}']:.9g}" for name in "xyz")
         body = modal.body(
-            f"egg.geo --unit mm {STEEL} --point {place} --normal {normal} --size 1.8 --size-at-point 0.4 --modes 40", name="fine.json"
+            f"{ON_ROUND} --point {place} --normal {normal} --size 2.5 --size-at-point 0.5", name="fine.json"
         )
         hit = stoss.restitution(ball, against=stoss.ModalBody.from_dict(body), speed=[1.0], tolerance=0.01)
         off = abs(row["restitution"] - hit.restitution[0])
@@ -130,31 +131,35 @@ def test_errors_cover_meshes_that_are_fine_at_the_point(modal, egg):
 
 
 def test_what_is_held_or_has_an_edge_has_no_value(mapped):
-    words = f"block.geo --unit mm {STEEL} --size 2.6 --modes 10 --clamp end {BALL} --speed 0.5 --points 150 --errors-unknown"
+    words = (
+        f"block.geo --unit mm {STEEL} --size 3 --modes 10 --clamp end {BALL} --speed 0.5 --points 150 --errors-unknown"
+    )
     block, said = mapped(words, "block")
     rows = block.at(0.5)
     known = np.isfinite(rows["restitution"])
     assert "no value at" in said and "held there, or beside it" in said and "a sharp edge" in said
     assert 10 < np.sum(known) < 100
     x, y, z = (1e3 * rows[name] for name in "xyz")
-    assert np.all(x[known] > -20.0 + 1.0)
-    inside = np.sort(np.stack([20 - np.abs(x), 12 - np.abs(y), 8 - np.abs(z)]), axis=0)
+    inside = np.sort(np.stack([20 - np.abs(x), 15 - np.abs(y), 10 - np.abs(z)]), axis=0)
     assert np.all(np.abs(inside[0]) < 1e-6)  # on a face
-    assert np.all(inside[1][known] > 2.6)  # but not near its edges
+    assert np.all(inside[1][known] > 6.0)  # but not near its edges
     assert np.all(rows["reason"][known] == 0) and np.all(rows["reason"][~known] > 0)
-    # Both halves are alike: the face y = 12 and the face y = −12.
-    halves = [np.mean(rows["restitution"][known & (sign * y > 11.9)]) for sign in (1, -1)]
-    assert halves[0] == pytest.approx(halves[1], rel=0.05)
+    # Upper and lower face are alike, and so are y and −y: a smooth function of x and y² has all values on them.
+    there = known & (np.abs(z) > 9.9)
+    terms = np.stack([np.ones(np.sum(there)), x[there], x[there] ** 2, y[there] ** 2], axis=1)
+    value = rows["restitution"][there]
+    smooth = terms @ np.linalg.lstsq(terms, value, rcond=None)[0]
+    assert np.sum(there) > 8 and np.max(np.abs(value - smooth)) < 0.1 * np.ptp(value)
 
 
 def test_goes_on(modal, mapped):
-    words = f"{ON_EGG} {BALL} --speed 1 --points 10"
+    words = f"block.geo --unit mm {STEEL} --size 3 --modes 5 {BALL} --speed 1 --points 60 --errors-unknown"
     (modal.folder / "taken.csv").mkdir()
     failed = modal.run(f"{words} --map taken.vtu")
     assert failed.returncode == 4 and "taken.csv" in failed.stderr
     (modal.folder / "taken.csv").rmdir()
     again = modal.run(f"{words} --map taken.vtu")
-    assert again.returncode == 0 and again.stderr.count("results of an earlier run") == 2
+    assert again.returncode == 0 and again.stderr.count("results of an earlier run") == 1
 
 
 @pytest.mark.parametrize(
@@ -175,7 +180,7 @@ def test_goes_on(modal, mapped):
     ],
 )
 def test_refusals(modal, words, said):
-    done = modal.run(f"{ON_EGG} --map refused.vtu {words}")
+    done = modal.run(f"{ON_ROUND} --map refused.vtu {words}")
     assert done.returncode == 2 and said in done.stderr, done.stderr
     assert "Traceback" not in done.stderr and len(done.stderr.splitlines()) == 1
 
