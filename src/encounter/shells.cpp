@@ -78,12 +78,13 @@ std::optional<double> yield_speed_with_shells(const Encounter& encounter) {
   double inverse = 0.0, weakest = std::numeric_limits<double>::infinity();
   for (const Participant* each : {&encounter.first, &met_by(encounter)}) {
     if (kind(each->kind).wall) continue;
+    if (each->modal) pair.curvature += each->modal->curvature;
     if (parameter(kind(each->kind), "radius") != nullptr) pair.curvature += 1.0 / given_or(*each, "radius", 1.0);
     pair.softness += softness_of(*each);
     inverse += inverse_mass(*each);
     weakest = std::min(weakest, strength_of(*each).value_or(weakest));
   }
-  if (std::isinf(weakest)) return std::nullopt;
+  if (std::isinf(weakest) || pair.curvature == 0.0) return std::nullopt;
   return yield_speed_with_shells(encounter, pair, 1.0 / inverse, weakest);
 }
 

@@ -16,7 +16,7 @@ namespace stoss {
 [[nodiscard]] double yield_speed_with_shells(const Encounter& encounter, const quasistatic::PointPair& pair,
                                              double mass, double strength);
 
-/// The same of both as they are given; nothing where neither has a strength.
+/// The same of both as they are given, by their modes too; nothing where neither has a strength, or both are flat.
 [[nodiscard]] std::optional<double> yield_speed_with_shells(const Encounter& encounter);
 
 /// Whether one of both is hollow.

@@ -23,8 +23,11 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 std::string weaker_of(const Encounter& encounter) {
   const std::string& met = encounter.against.kind;
   if (strength_of(encounter.first).value_or(unlimited) <= strength_of(encounter.against).value_or(unlimited))
-    return "ball";
-  return met == "sphere" || met == "hollow-sphere" ? "other ball" : met == "half-space" ? "block" : met;
+    return encounter.first.modal ? "body" : "ball";
+  return encounter.against.modal                     ? "body"
+         : met == "sphere" || met == "hollow-sphere" ? "other ball"
+         : met == "half-space"                       ? "block"
+                                                     : met;
 }
 
 std::string rounded_to(int digits, double number) {
@@ -76,9 +79,10 @@ std::optional<double> strength_of(const Participant& of) {
 }
 
 std::optional<double> yield_speed(const Encounter& encounter) {
-  if (has_shell(encounter)) {
-    const Kind& met = kind(encounter.against.kind);
-    const bool known = encounter.first.material && kind(encounter.first.kind).can_yield && (met.wall || met.can_yield);
+  if (has_shell(encounter) || encounter.first.modal || encounter.against.modal) {
+    const auto may = [](const Participant& of) { return of.modal || kind(of.kind).can_yield; };
+    const bool known = encounter.first.material && may(encounter.first) &&
+                       (kind(encounter.against.kind).wall || may(encounter.against));
     return known ? yield_speed_with_shells(encounter) : std::nullopt;
   }
   const auto of_solids = yield_speed_of_solids(encounter);

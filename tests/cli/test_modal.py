@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+import re
 
 import pytest
 from conftest import number
@@ -86,6 +87,13 @@ def test_a_table_of_predictions_takes_partners_of_files_that_yield(stoss):
     for one, other in zip(*rows, strict=True):
         assert one["speed"] == other["speed"]
         assert one["restitution"] == pytest.approx(other["restitution"], rel=2e-3)
+
+
+@pytest.mark.parametrize("ball", ["--radius 0.005", "--radius 0.005 --rigid-body", "--radius 0.02"])
+def test_a_ball_is_told_to_yield_on_a_body_of_a_file_as_on_a_sphere(stoss, ball):
+    told = [re.findall("the .* yields above [^)]*", stoss.run(f"impact --body sphere --material 'bearing steel' {ball} --against {each} --speed 3").stderr)
+            for each in (f"@{FILES}/sphere.json", f"sphere,{STEEL}")]  # fmt: skip
+    assert told[0] == told[1] and bool(told[0]) == ("rigid" not in ball)
 
 
 @pytest.mark.parametrize("given, said", [

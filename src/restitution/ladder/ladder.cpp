@@ -81,6 +81,19 @@ double known_cutoff(const Contact& contact, double half_width, Directions direct
   return std::min(first, of(*contact.second, units.length) / units.time);
 }
 
+/// Lowest frequency of the modes of bodies that are known at a point, in units of the first body; infinite without.
+double first_mode(const Contact& contact) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (int number = 0; number < 2; ++number) {
+    const auto body = body_of(contact, number);
+    if (body == nullptr || !is_known_at_a_point(*body)) continue;
+    for (const ModeGroup& group : body->groups) {
+      for (const double omega : group.omega) lowest = std::min(lowest, omega / units_of(contact, number).time);
+    }
+  }
+  return lowest;
+}
+
 }  // namespace
 
 int RefinableContact::highest_level() const { return ladder_->highest; }
@@ -120,6 +133,9 @@ Levels RefinableContact::levels(double speed, double longer, const Poll& poll, D
   while (usable.highest >= lowest_of_a_point && cutoff(usable.highest) > most) --usable.highest;
   // Beside a much softer one, modes are known to more than the contact needs: then it climbs as those of other bodies.
   usable.lowest = std::min(0, usable.highest - levels_of_a_point);
+  // Without any mode the first impact tells nothing of the others: one level above, if that has one.
+  const double first = first_mode(probe);
+  if (usable.lowest < 0 && cutoff(usable.lowest) < first && first <= cutoff(usable.lowest + 1)) ++usable.lowest;
   if (usable.lowest < lowest_of_a_point) {
     throw NotConverged("'" + name(probe) + "': the contact would be some " +
                        rounded(std::round(1000.0 * half_width) / 1000.0) +

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "stoss/bodies/half_space.hpp"
@@ -160,6 +161,23 @@ TEST(ModalBody, OfAPlaneSurfaceIsStruckByASphere) {
   const Restitution half = value_of(RefinableContact(sphere(0.3), half_space(HalfSpace{0.3})), 1e-3);
   EXPECT_NEAR(found.contact_time.value, half.contact_time.value, 0.02 * half.contact_time.value);
   EXPECT_NEAR(found.max_force.value, half.max_force.value, 0.04 * half.max_force.value);
+}
+
+// Of a sphere the first mode has 1.64 c/R: six levels below 4 c/R there is none, five below there is.
+TEST(ModalBody, BeginsWhereAModeIsKept) {
+  const auto lowest = [](double complete_to) {
+    const RefinableContact wall(modal_body(test::modal_sphere(0.3, complete_to)));
+    const Levels levels = wall.levels(1e-3, 1.0);
+    return std::pair(levels.highest - levels.lowest, wall.cutoff(levels.lowest));
+  };
+  EXPECT_EQ(lowest(4.6).first, 5);
+  EXPECT_GT(lowest(4.6).second, 1.65);
+  EXPECT_EQ(lowest(5.0).first, 6);  // one of them is kept as it is
+  EXPECT_EQ(lowest(2.9).first, 6);  // none is either way
+  const Restitution found = value_of(RefinableContact(modal_body(test::modal_sphere(0.3, 4.6))), 1e-3);
+  const Restitution exact = value_of(RefinableContact(sphere(0.3)), 1e-3);
+  EXPECT_NEAR(found.lost_fraction.value, exact.lost_fraction.value, found.lost_fraction.error);
+  EXPECT_LT(found.lost_fraction.error, 0.08 * exact.lost_fraction.value);
 }
 
 /// A body on a spring so soft that it moves as if it were free: rigid motion is its lowest mode.
