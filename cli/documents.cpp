@@ -49,9 +49,11 @@ std::string roff(const CLI::Option& option) {
   for (const std::string& name : names(option)) head += (head.empty() ? "\\fB" : ", \\fB") + roff(name) + "\\fR";
   if (option.get_expected_min() > 0) {
     const std::string type = roff(option.get_type_name());
-    // A long list may be broken after a comma.
+    // A long list may be broken after a comma, but its lines have no spaces that could be stretched.
     head += fmt::format("{}\\fI{}\\fR", head.empty() ? "" : " ", fmt::join(stoss::cli::split(type, ','), ",\\:"));
   }
+  constexpr std::size_t line = 100;
+  if (head.size() > line) head = ".ad l\n" + head + "\n.ad b";
   return ".TP\n" + head + "\n" + roff(option.get_description()) + ".\n";
 }
 

@@ -26,6 +26,7 @@ struct PredictArguments {
   std::vector<std::string> uncertainties;
   double tolerance = 1e-3;
   int threads = 0;
+  bool quick = false;  // one number a speed
   OutputOptions output;
   CLI::App* command = nullptr;
 };
@@ -97,13 +98,21 @@ std::string influences_of(const std::vector<Prediction>& all) {
   return text;
 }
 
-void run(const PredictArguments& arguments) {
-  const Encounter encounter = arguments.who.encounter();
-  std::vector<double> speeds = arguments.approach.series(units_of(encounter));
-  for (double& each : speeds) each *= speed_unit(encounter);
-  Output output(arguments.output.path);
-  catch_interrupts();
-  const std::vector<Prediction> all = predict(encounter, speeds, options_of(arguments));
+/// ε with its spread: the sum of all three uncertainties and of what rounding does, to two digits.
+std::string number_of(const Prediction& its) {
+  const double spread = its.restitution.error + its.by_models + its.by_constants;
+  if (!std::isfinite(its.restitution.value) || !std::isfinite(spread)) return "nan\n";
+  const int digits = spread > 0.0 ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(spread)))) : 9;
+  const double up = std::ceil(spread * std::pow(10.0, digits) + 0.5) / std::pow(10.0, digits);
+  return fmt::format("{:.{}f} +- {:.{}f}\n", its.restitution.value, digits, up, digits);
+}
+
+void write(const PredictArguments& arguments, const Encounter& encounter, const std::vector<Prediction>& all,
+           Output output) {
+  if (arguments.quick) {
+    for (const Prediction& each : all) output.write(number_of(each));
+    return output.close();
+  }
   const Units units{.own = UnitSystem::sphere_si, .in_si = UnitSystem::sphere_si};
   const Fields<Prediction> fields(prediction_quantities(), units,
                                   {{"speed", {.width = 10}},
@@ -112,13 +121,24 @@ void run(const PredictArguments& arguments) {
                                    {"by_constants", {.width = 14}},
                                    {"rebound_height", {.width = 16}}});
   Writer writer(std::move(output), arguments.output.chosen_format(), describe(arguments, encounter), fields.columns());
-  std::set<std::string> warned;
-  for (const Prediction& each : all) {
-    writer.add(fields.row(each), details_of(each));
-    warned.insert(each.warnings.begin(), each.warnings.end());
-  }
+  for (const Prediction& each : all) writer.add(fields.row(each), details_of(each));
   if (arguments.output.chosen_format() == Format::table) writer.close_table(channels_of(all) + influences_of(all));
   writer.finish();
+}
+
+void run(const PredictArguments& arguments) {
+  if (arguments.quick && given(*arguments.command, "--format")) {
+    throw InvalidInput::conflict("quick", "--quick with --format, allowed only without");
+  }
+  const Encounter encounter = arguments.who.encounter();
+  std::vector<double> speeds = arguments.approach.series(units_of(encounter));
+  for (double& each : speeds) each *= speed_unit(encounter);
+  Output output(arguments.output.path);
+  catch_interrupts();
+  const std::vector<Prediction> all = predict(encounter, speeds, options_of(arguments));
+  write(arguments, encounter, all, std::move(output));
+  std::set<std::string> warned;
+  for (const Prediction& each : all) warned.insert(each.warnings.begin(), each.warnings.end());
   for (const std::string& each : warned) arguments.output.warn(each);
   const auto unknown = std::count_if(all.begin(), all.end(), [](const Prediction& each) {
     return !std::isfinite(each.restitution.value) || !std::isfinite(each.restitution.error);
@@ -137,6 +157,7 @@ void add_predict(CLI::App& app) {
       "Examples:\n"
       "  stoss predict --body sphere --material 'bearing steel' --radius 0.005 --speed 0.01,0.1,1\n"
       "      --against half-space,material=glass\n"
+      "  stoss predict --body sphere --material glass --radius 0.002 --against same --speed 0.5 --quick\n"
       "  stoss predict --body sphere --material glass --radius 0.002 --height 0.1,0.5\n"
       "      --against plate,material=glass,thickness=0.01\n"
       "  stoss predict --body sphere --material ice --radius 1e-6 --speed log:0.1:10:5 --against same\n"
@@ -153,6 +174,8 @@ void add_predict(CLI::App& app) {
       "NAME=U", models);
   add_input(command, Question::predict, "tolerance", arguments.tolerance, "Resolution");
   add_threads(command, arguments.threads);
+  command.add_flag("--quick", arguments.quick, "Only one line a speed: eps +- the sum of its three uncertainties")
+      ->group("Output");
   arguments.output.add_to(command);
 }
 

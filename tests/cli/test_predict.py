@@ -26,6 +26,26 @@ def test_table_has_three_uncertainties_and_fits_a_terminal(stoss):
     assert columns in header and "dominant" in header
 
 
+def test_quick_is_one_line_a_speed(stoss, tmp_path):
+    """ε within a unit of its last digit, and a spread that holds all three uncertainties, but not twice as much."""
+    for material in ("'bearing steel'", "aluminium"):  # of which the latter yields at 1 m/s: the models differ
+        ball = f"{BALL} --material {material} --against half-space,material=glass --speed 0.1,1"
+        lines = stoss.run("predict --quick --quiet", ball).stdout.splitlines()
+        assert len(lines) == 2
+        for line, row in zip(lines, rows(stoss, ball)):
+            told, spread = line.split(" +- ")
+            unit = 10.0 ** -len(told.partition(".")[2])
+            total = row["restitution_error"] + row["by_models"] + row["by_constants"]
+            assert float(told) == pytest.approx(row["restitution"], abs=0.51 * unit)
+            assert total + 0.5 * unit <= float(spread) * (1 + 1e-12) <= 1.2 * total + 2 * unit
+            assert 10 <= round(float(spread) / unit) <= 101
+    file = tmp_path / "epsilon"
+    done = stoss.run("predict --quick", ball, f"-o {file}")
+    assert done.stdout == "" and file.read_text().splitlines() == lines and "warning" in done.stderr
+    refused = stoss.run("predict --quick --format json", ball)
+    assert refused.returncode == 3 and refused.stderr == "stoss: error: quick: --quick with --format, allowed only without\n"
+
+
 def test_table_states_the_spread_beside_its_error(stoss):
     wall = f"{BALL} --material aluminium --speed 0.1:1 --error 0.003"
     header = stoss.run("table --predict", wall)

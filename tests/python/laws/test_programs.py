@@ -1,5 +1,6 @@
 """The lines that stoss writes for a program, in that program: two balls collide as the law says, and near to stoss."""
 
+import dataclasses
 import functools
 import shutil
 import subprocess
@@ -105,6 +106,24 @@ def test_unequal_balls(program, tmp_path):
         pairs = two_balls.Pairs(ball, SPEEDS[::2], 0 * SPEEDS[::2], fit.fitted.contact_time(SPEEDS[::2]), second)
         normal, _ = getattr(two_balls, program)(pairs, fit.lines, tmp_path)
         assert 1 - normal == pytest.approx(1 - fit.fitted.restitution(SPEEDS[::2]), rel=1e-3)
+
+
+def test_simbody_combines_two_materials(tmp_path):
+    """As docs/reference/laws.md says: moduli by their powers 2/3, the dissipation of the softer one the more."""
+    if not has("simbody"):
+        pytest.skip("needs simbody")
+    ball, young, c = ball_of("rubber"), (3e6, 2e7), (0.3, 1.1)
+    names = ("material", "other")
+    lines = [f"SimTK::ContactMaterial {name}({e}, {d}, 0, 0, 0);" for name, e, d in zip(names, young, c)]
+    first, second = (each ** (2 / 3) for each in young)
+    share = second / (first + second)
+    modulus, hysteresis = (share * first) ** 1.5, 1.5 * (share * c[0] + (1 - share) * c[1])
+    fit = stoss.fit(ball, against="same", law="hunt-crossley", speed=(1e-3, 0.1))
+    stiffness = 4 / 3 * np.sqrt(fit.fitted.pair.radius) * modulus
+    law = dataclasses.replace(fit.fitted, stiffness=stiffness, damping=hysteresis * stiffness)
+    pairs = two_balls.Pairs(ball, SPEEDS, 0 * SPEEDS, law.contact_time(SPEEDS))
+    normal, _ = two_balls.simbody(pairs, lines, tmp_path)
+    assert 1 - normal == pytest.approx(1 - law.restitution(SPEEDS), rel=2e-3)
 
 
 @pytest.mark.parametrize("program", ["lammps", "liggghts", "mujoco", "simbody"])

@@ -191,7 +191,8 @@ int main(int, char **words) {
   while (balls >> x >> y >> z >> u >> v >> w >> radius >> density) {
     const double mass = 4.0 / 3.0 * SimTK::Pi * density * radius * radius * radius;
     SimTK::Body::Rigid body(SimTK::MassProperties(mass, SimTK::Vec3(0), SimTK::UnitInertia::sphere(radius)));
-    body.addContactSurface(SimTK::Transform(), SimTK::ContactSurface(SimTK::ContactGeometry::Sphere(radius), material));
+    const SimTK::ContactMaterial &its = bodies.size() < std::stoul(words[4]) ? material : other;
+    body.addContactSurface(SimTK::Transform(), SimTK::ContactSurface(SimTK::ContactGeometry::Sphere(radius), its));
     bodies.emplace_back(matter.Ground(), SimTK::Transform(), body, SimTK::Transform());
     places.emplace_back(x, y, z);
     velocities.emplace_back(u, v, w);
@@ -226,13 +227,15 @@ int main(int, char **words) {
 
 
 def _simbody(places, velocities, sizes, time, lines, folder, floor=""):
-    """`sizes` are radii and densities."""
+    """`sizes` are radii and densities. The second half of all balls have the material `other`, if lines have it."""
+    if not any(" other" in line for line in lines):
+        lines = [*lines, "const SimTK::ContactMaterial other = material;"]
     (folder / "lines").write_text("\n".join(lines) + "\n")
     (folder / "main.cpp").write_text(SIMBODY)
     np.savetxt(folder / "balls", np.column_stack([places, velocities, *sizes]), fmt="%.17g")
     libraries = ["-lSimTKsimbody", "-lSimTKmath", "-lSimTKcommon"]
     _run("c++", "-std=c++17", "-w", "-I/usr/include/simbody", "main.cpp", "-o", "main", *libraries, folder=folder)
-    out = _run("./main", "balls", f"{time:.17g}", floor or "none", folder=folder)
+    out = _run("./main", "balls", f"{time:.17g}", floor or "none", str((len(places) + 1) // 2), folder=folder)
     rows = np.array([line.split() for line in out.splitlines()], dtype=float)
     return rows[:, :3], rows[:, 3:6], rows[:, 6:]
 
