@@ -16,9 +16,10 @@ from numpy.typing import NDArray
 from stoss._errors import InvalidInput, StossWarning
 from stoss.bodies._modal import ModalBody
 from stoss.bodies._solids import Sphere
+from stoss.export._files import require_writable
 from stoss.modal._body import body_of
 from stoss.modal._compliance import Pressures, pressures
-from stoss.modal._map_files import write_map
+from stoss.modal._map_files import names_of, write_map
 from stoss.modal._map_options import in_short
 from stoss.modal._places import Places, places_on
 from stoss.modal._progress import FORMAT, Progress, plain
@@ -58,6 +59,8 @@ class Map:
 
 def run_map(given: argparse.Namespace, progress: Progress) -> None:
     """Writes the files of the map that the arguments ask for."""
+    for name in names_of(given):
+        require_writable(name)
     meshes = meshes_of(given)
     comm = MPI.COMM_WORLD
     found: list[list[Any]] = []
@@ -66,7 +69,6 @@ def run_map(given: argparse.Namespace, progress: Progress) -> None:
         known = comm.bcast(progress.results.get(str(index)))
         if known is None:
             known = _told(given, progress, index, path, sizes, places, found[0] if found else None)
-            progress.keep(str(index), known)
         else:
             progress.say(f"{'coarse ' * bool(index)}mesh: results of an earlier run, {progress.path}")
         places = places or Places.of_dict(known["places"])
@@ -111,8 +113,10 @@ def _told(
     for at, its in zip(waiting, solved.points(pressed)):
         told[at] = its
         progress.say(f"{kind}mesh: point {at} of {len(told)}", lasting=False)
+    known = {"places": places.to_dict(), "points": told}
+    progress.keep(str(index), known)
     progress.say(f"{kind}mesh: {len(solved.frequency)} modes, and the compliance at {len(pressed)} points")
-    return {"places": places.to_dict(), "points": told}
+    return known
 
 
 def _mapped(given: argparse.Namespace, progress: Progress, places: Places, found: list[list[Any]]) -> Map:

@@ -19,12 +19,17 @@ COLUMNS = ("point", "x[m]", "y[m]", "z[m]", "normal_x", "normal_y", "normal_z", 
 
 def write_map(given: argparse.Namespace, made: Any) -> list[str]:
     """Writes all three. Returns their names."""
-    names = [beside(given.map, ending) for ending in (".vtu", ".csv", ".png")]
+    names = names_of(given)
     codes = _codes(made)
     write_lines(names[0], _vtu(made, codes))
     write_lines(names[1], _csv(given, made, codes))
     _picture(names[2], made)
     return names
+
+
+def names_of(given: argparse.Namespace) -> list[str]:
+    """VTU, CSV and PNG."""
+    return [beside(given.map, ending) for ending in (".vtu", ".csv", ".png")]
 
 
 def _codes(made: Any) -> Any:

@@ -100,7 +100,7 @@ class Skin:
         shares = self._shares(facets, point, normal, radius)
         forces = np.zeros(len(self.nodes))
         np.add.at(forces, self.facets[facets], shares @ self._values)
-        return -(forces / shares.sum())[:, None] * axis
+        return np.asarray(-(forces / shares.sum())[:, None] * axis)
 
     def total(self, facets: NDArray[np.int64], point: Vector, normal: Vector, radius: float) -> float:
         """What of this pressure acts: less than 1 where the surface ends or turns away."""

@@ -180,6 +180,8 @@ def key_of(given: argparse.Namespace) -> str:
         if path and os.path.isfile(path):
             with open(path, "rb") as stream:
                 state.update(stream.read())
-    asked = {name: value for name, value in vars(given).items() if name not in ("output", "name")}
+    asked = {
+        name: value for name, value in vars(given).items() if name not in ("output", "name", "map", "speed", "against")
+    }
     state.update(repr(sorted(asked.items())).encode())
     return state.hexdigest()

@@ -43,24 +43,25 @@ class Surface:
         guessed: bool = False,
     ) -> None:
         self.skin, self.length = skin, length
-        self.point = np.asarray(point) / length
+        self.point: Vector = np.asarray(point, dtype=np.float64) / length
         self.edge = self._edge()
         self._refuse_sharp()
         self._face(np.asarray(normal))
         self.tangent: Vector | None = None
         if tangent is not None:
-            aside = np.asarray(tangent) - (np.asarray(tangent) @ self.normal) * self.normal
-            self.tangent = aside / np.linalg.norm(aside)
+            given: Vector = np.asarray(tangent, dtype=np.float64)
+            aside: Vector = given - (given @ self.normal) * self.normal
+            self.tangent = np.asarray(aside / np.linalg.norm(aside))
         for _ in range(3 if guessed else 0):
             self._face(self.normal - self._heights()[1:3] @ self.axes)
         self.curvature = self._curvature()
 
     def _face(self, normal: Vector) -> None:
         """Sets the normal, and what belongs to it."""
-        self.normal = normal / np.linalg.norm(normal)
+        self.normal: Vector = np.asarray(normal / np.linalg.norm(normal))
         first = np.eye(3)[np.argmin(np.abs(self.normal))]
         first = np.cross(self.normal, first) / np.linalg.norm(np.cross(self.normal, first))
-        self.axes = np.array([first, np.cross(self.normal, first)])
+        self.axes: Vector = np.array([first, np.cross(self.normal, first)])
         self.facets = self.near(PATCH * self.edge)
         if len(self.facets) == 0:
             raise InvalidInput.conflict(
@@ -85,13 +86,14 @@ class Surface:
     def _fit(self, each: int) -> tuple[NDArray[np.int64], Vector, Vector]:
         """Nodes in the patch, so many of each facet, their columns of the inverse, and their heights."""
         nodes = np.unique(self.skin.facets[self.facets, :each])
-        flat, height = self._flat(self.skin.nodes[nodes])
+        flat, height = self._flat(np.asarray(self.skin.nodes[nodes]))
         x, y = (flat / (PATCH * self.edge)).T
         if len(nodes) < 2 * len(POWERS):
             raise InvalidInput.conflict("point", f"only {len(nodes)} nodes near it, too few for a fit")
         powers = np.stack([x**i * y**j for i, j in POWERS], axis=1)
         scales = np.array([(PATCH * self.edge) ** -(i + j) for i, j in POWERS])
-        return nodes, scales[:, None] * np.linalg.pinv(powers), height
+        rows: Vector = np.asarray(scales[:, None] * np.linalg.pinv(powers), dtype=np.float64)
+        return nodes, rows, height
 
     def _heights(self) -> Vector:
         """Heights of the surface over the plane of the normal, by powers."""
@@ -115,7 +117,7 @@ class Surface:
     def _flat(self, places: Vector) -> tuple[Vector, Vector]:
         """Coordinates perpendicular to the normal, and along it."""
         arms = places - self.point
-        return arms @ self.axes.T, arms @ self.normal
+        return np.asarray(arms @ self.axes.T), np.asarray(arms @ self.normal)
 
     def _edge(self) -> float:
         """Of the dozen facets closest to the point."""
