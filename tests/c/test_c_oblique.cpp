@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -11,8 +9,8 @@
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/restitution/oblique_curve.hpp"
 #include "stoss/stoss.h"
+#include "support/body_files.hpp"
 #include "support/c_handles.hpp"
-#include "support/csv.hpp"
 
 namespace stoss {
 using namespace test;
@@ -116,12 +114,6 @@ TEST(COblique, RefusesAndStops) {
   const stoss_control control{1, [](void*) { return 1; }, nullptr};
   EXPECT_EQ(stoss_oblique(ball, &asked, 1, 1e-2, &control, &result), STOSS_INTERRUPTED);
   EXPECT_EQ(result.before.speed, 0.0);  // as it was
-}
-
-/// The document of a body in examples/any_body.
-std::string body_of_file(const std::string& name) {
-  std::ifstream stream(data_path("../../examples/any_body/" + name + ".json"));
-  return R"({"kind": "modal", "body": )" + std::string{std::istreambuf_iterator<char>(stream), {}} + "}";
 }
 
 TEST(COblique, TakesBodiesOfFilesWithATangent) {

@@ -8,6 +8,7 @@
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/restitution/curve.hpp"
 #include "stoss/stoss.h"
+#include "support/body_files.hpp"
 #include "support/c_handles.hpp"
 
 namespace stoss {
@@ -113,6 +114,21 @@ TEST(COpen, RefusesWithALine) {
       stoss_message(),
       "poisson: got 0.5, allowed -0.95 to 0.4999 (Poisson's ratio of the material; at 0.5 it would be incompressible)");
   EXPECT_EQ(contact, nullptr);
+}
+
+TEST(COpen, LetsAPartnerOfAFileYieldAsTheSphereOfItsCurvature) {
+  const std::string ball = steel_ball("0.005"), yields = R"(, "yield_strength": 3e8)";
+  CContact of_file, itself;
+  ASSERT_EQ(stoss_open(meeting_of(ball, body_of_file("sphere", yields)).c_str(), &of_file), STOSS_OK)
+      << stoss_message();
+  ASSERT_EQ(stoss_open(meeting_of(ball, steel_ball("0.01", yields)).c_str(), &itself), STOSS_OK) << stoss_message();
+  const double speed = 0.3 / stoss_speed_unit(itself);
+  stoss_result found{}, exact{};
+  ASSERT_EQ(stoss_curve(of_file, &speed, 1, 0.2, 1e-6, nullptr, &found), STOSS_OK) << stoss_message();
+  ASSERT_EQ(stoss_curve(itself, &speed, 1, 0.2, 1e-6, nullptr, &exact), STOSS_OK) << stoss_message();
+  EXPECT_LT(found.restitution.value, 0.7);
+  EXPECT_NEAR(found.restitution.value, exact.restitution.value, found.restitution.error + exact.restitution.error);
+  EXPECT_NEAR(found.restitution.value, exact.restitution.value, 2e-3);
 }
 
 }  // namespace

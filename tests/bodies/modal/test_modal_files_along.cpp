@@ -3,39 +3,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/encounter.hpp"
 #include "stoss/restitution/oblique.hpp"
-#include "support/csv.hpp"
+#include "support/body_files.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {
 namespace modal_files_along {
 namespace {
 
-/// The document of a body in examples/any_body.
-std::string file(const std::string& name) {
-  std::ifstream stream(test::data_path("../../examples/any_body/" + name + ".json"));
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  return R"({"kind": "modal", "body": )" + text + "}";
-}
-
-const std::string steel = R"("material": {"young": 210e9, "poisson": 0.3, "density": 7850})";
-const std::string sphere_10 = R"({"kind": "sphere", "radius": 0.01, )" + steel + "}";
-const std::string sphere_5 = R"({"kind": "sphere", "radius": 0.005, )" + steel + "}";
+using test::body_of_file;
+using test::steel_ball;
 
 Encounter meeting(const std::string& first, const std::string& against) {
-  return encounter_from_json(R"({"first": )" + first + R"(, "against": )" + against + "}");
+  return encounter_from_json(test::meeting_of(first, against));
 }
 
 const std::vector<std::string>& partners() {
   static const std::vector<std::string> all{R"("same")", R"({"kind": "half-space", "material": "structural steel"})",
-                                            R"({"kind": "sphere", "radius": 0.02, )" + steel + "}"};
+                                            steel_ball("0.02")};
   return all;
 }
 
@@ -62,7 +52,7 @@ void expect_near(const Estimate& found, const Estimate& exact, double scale, con
 
 void expect_rubs_as_the_sphere(const std::vector<std::string>& all_partners) {
   for (const std::string& against : all_partners) {
-    const Encounter of_file = meeting(file("sphere"), against), itself = meeting(sphere_10, against);
+    const Encounter of_file = meeting(body_of_file("sphere"), against), itself = meeting(steel_ball("0.01"), against);
     for (const double metres : {0.05, 1.0, 10.0}) {
       const double speed = speed_in_c(itself, metres);
       const std::vector<Obliquity> all = obliquities(speed);
@@ -98,9 +88,9 @@ std::vector<Rubbing> rubbing() {
   // A beam of 0.314 kg that is struck in the middle by a ball, and friction along it turns it about its middle.
   const double ball = 7850.0 * 4.0 / 3.0 * 180.0 * degree * 1.25e-7, beam = 0.314;
   const double turning = 0.005 * 0.005 / (beam * (0.04 + 1e-4) / 12.0);
-  return {{"sphere", meeting(file("sphere"), R"("wall")"), 3.5},
-          {"spheres", meeting(file("sphere"), R"("same")"), 3.5},
-          {"ball on beam", meeting(sphere_5, file("beam_0")),
+  return {{"sphere", meeting(body_of_file("sphere"), R"("wall")"), 3.5},
+          {"spheres", meeting(body_of_file("sphere"), R"("same")"), 3.5},
+          {"ball on beam", meeting(steel_ball("0.005"), body_of_file("beam_0")),
            (3.5 / ball + 1.0 / beam + turning) / (1.0 / ball + 1.0 / beam)}};
 }
 
@@ -180,7 +170,7 @@ TEST(ModalFileAlong, DoesNotFeelFrictionThatHoldsAlready) {
 }
 
 TEST(ModalFileAlong, WithoutATangentIsRefusedButWithoutFriction) {
-  const Encounter bell = meeting(sphere_5, file("bell"));
+  const Encounter bell = meeting(steel_ball("0.005"), body_of_file("bell"));
   const double speed = speed_in_c(bell, 0.5);
   test::expect_refusal(
       [&] {
