@@ -44,8 +44,7 @@ Body made(const BodyMaker& maker, const Body& probe, double size, double cutoff,
   return size < 1.0 || is_unbounded(probe) ? probe.near_side(size, cutoff, poll) : maker(cutoff, poll);
 }
 
-/// c₀ of a body of which only a point is known, and of a shell: what the compliance of a ring has beside what falls
-/// with its radius.
+/// c₀ of a body of which only a point is known: what the compliance of a ring has beside what falls with its radius.
 double yielding_of(const Body& body) {
   constexpr double small = 0.05;
   const auto compliance = [&](double radius) {
@@ -61,9 +60,8 @@ Pair pair_of(const BodyMaker& first, const BodyMaker& second) {
   const double unit = time_scale(pair.probe);
   pair.first_size = computed_size(*pair.probe.first, 1.0 / unit);
   pair.second_size = computed_size(*pair.probe.second, UnitRatios(*pair.probe.second, *pair.probe.first).time / unit);
-  const Body& one = *pair.probe.first;
-  if ((is_known_at_a_point(one) || one.hole > 0.0) && is_unbounded(*pair.probe.second)) {
-    pair.yielding = yielding_of(one);
+  if (is_known_at_a_point(*pair.probe.first) && is_unbounded(*pair.probe.second)) {
+    pair.yielding = yielding_of(*pair.probe.first);
   }
   return pair;
 }

@@ -24,7 +24,7 @@ struct Pair {
   BodyMaker first, second;
   Contact probe;                               // without modes
   double first_size = 1.0, second_size = 1.0;  // of the parts that are computed
-  double yielding = 0.0;  // compliance by the shape of a first body that may be hollow, where it is large
+  double yielding = 0.0;  // compliance by the shape of a first body that is known at a point, where it is large
 };
 
 [[nodiscard]] Pair pair_of(const BodyMaker& first, const BodyMaker& second);
