@@ -50,6 +50,11 @@ time scale of the pair. `stoss_validate --make-pair-reference FILE` makes the fi
 `absolute` = 0: by default an error of 10⁻⁶ suffices for the 1 − ε² of a sphere. `stoss_validate
 --make-sphere-reference FILE` makes the file anew.
 
+`validate/data/reference_hollow.csv`: 48 hollow spheres, spread by a quasi-random sequence over
+shells of 0.5 to 0.03 R, 0 < ν < 0.47 and 10⁻⁵ < v < 0.05. Three impacts as above, with cutoffs 113,
+160 and 226. Judged with `absolute` = 0; no constant was fitted to them. `stoss_validate
+--make-hollow-reference FILE` makes the file anew.
+
 `validate/data/reference_half_spaces.csv`: 48 impacts of spheres on half-spaces and, every fourth,
 of disks on half-planes, every fifth with a rigid body, spread by a quasi-random sequence: Poisson's
 ratios from −0.4 to 0.48, modulus and density of the half-space from 0.01 to 100 and from 0.1 to 10,

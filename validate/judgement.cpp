@@ -8,6 +8,7 @@
 #include "restitution/ordered_jobs.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/half_space.hpp"
+#include "stoss/bodies/hollow_sphere.hpp"
 #include "stoss/bodies/sphere.hpp"
 
 namespace validate {
@@ -61,6 +62,8 @@ Contacts make_contacts(const std::vector<Point>& points) {
       contacts.push_back(alone_or_paired(point));
     } else if (point.against) {
       contacts.emplace_back(stoss::disk(point.poisson), stoss::disk(*point.against));
+    } else if (point.inner > 0.0) {
+      contacts.emplace_back(stoss::hollow_sphere({.poisson = point.poisson, .inner = point.inner}));
     } else if (point.sphere) {
       contacts.push_back(spheres_at_wall.try_emplace(point.poisson, stoss::sphere(point.poisson)).first->second);
     } else {

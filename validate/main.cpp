@@ -20,11 +20,12 @@ namespace {
 
 using Make = void (*)(const std::string& path);
 
-const std::array<std::pair<const char*, Make>, 13> makers{{
+const std::array<std::pair<const char*, Make>, 14> makers{{
     {"--make-reference", validate::make_reference},
     {"--make-unseen-reference", validate::make_unseen_reference},
     {"--make-pair-reference", validate::make_pair_reference},
     {"--make-sphere-reference", validate::make_sphere_reference},
+    {"--make-hollow-reference", validate::make_hollow_reference},
     {"--make-half-space-reference", validate::make_half_space_reference},
     {"--make-plate-reference", validate::make_plate_reference},
     {"--make-unseen-plate-reference", validate::make_unseen_plate_reference},

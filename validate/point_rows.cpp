@@ -33,6 +33,7 @@ void write_place(std::ostream& out, const Point& point) {
     out << cell("%g", point.against->poisson) << cell("%g", point.against->radius) << cell("%g", point.against->young)
         << cell("%g", point.against->density);
   }
+  if (point.inner > 0.0) out << cell("%g", point.inner);
   out << cell("%.4g", point.speed);
   if (point.temperature > 0.0) out << cell("%g", point.temperature) << cell("%g", point.highest);
 }

@@ -64,6 +64,16 @@ std::vector<Point> read_spheres() {
   return points;
 }
 
+std::vector<Point> read_hollow() {
+  std::vector<Point> points;
+  for (const CsvRow& row : stoss::test::read_csv("../../validate/data/reference_hollow.csv")) {
+    points.push_back(read_full_point(row));
+    points.back().sphere = true;
+    points.back().inner = row.number("inner");
+  }
+  return points;
+}
+
 std::vector<Point> read_half_spaces() {
   std::vector<Point> points;
   for (const CsvRow& row : stoss::test::read_csv("../../validate/data/reference_half_spaces.csv")) {

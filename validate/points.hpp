@@ -36,6 +36,7 @@ struct Point {
   PerQuantity<std::optional<stoss::Estimate>> reference;
   std::optional<stoss::Estimate> finite_elements;  ///< of ε
   bool sphere = false;                             ///< instead of a disk
+  double inner = 0.0;                              ///< of a sphere, radius of its hole
   double loss_time = 0.0;                          ///< of the first body
   stoss::Relaxation relaxation{};                  ///< of the first body
   stoss::Relaxation against_relaxation{};          ///< of what it meets
@@ -60,6 +61,9 @@ std::vector<Point> read_unseen_points();
 
 /// Spheres at the wall: those of validate/data/reference_spheres.csv. @throws std::runtime_error as read_points
 std::vector<Point> read_spheres();
+
+/// Hollow spheres at the wall: those of validate/data/reference_hollow.csv. @throws std::runtime_error as read_points
+std::vector<Point> read_hollow();
 
 /// Spheres on half-spaces and disks on half-planes: those of validate/data/reference_half_spaces.csv.
 /// @throws std::runtime_error as read_points

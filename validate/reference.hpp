@@ -17,6 +17,9 @@ void make_pair_reference(const std::string& path);
 /// Computes the reference values of spheres. Takes minutes. @throws std::runtime_error as make_reference
 void make_sphere_reference(const std::string& path);
 
+/// Computes those of hollow spheres: validate/data/reference_hollow.csv. @throws std::runtime_error as above
+void make_hollow_reference(const std::string& path);
+
 /// Computes those of half-spaces: validate/data/reference_half_spaces.csv. @throws std::runtime_error as above
 void make_half_space_reference(const std::string& path);
 

@@ -13,6 +13,7 @@ SETS = {
     "All unseen points at the default tolerance": "disk at a wall",
     "All pairs at the default tolerance": "two disks",
     "All spheres at the default tolerance": "sphere at a wall",
+    "All hollow spheres at the default tolerance": "sphere at a wall",
     "All impacts on half-spaces at the default tolerance": "half-space",
     "All lossy bodies at the default tolerance": "lossy",
     "All bodies that relax at the default tolerance": "relaxing",

@@ -14,6 +14,7 @@ const std::vector<Set>& sets() {
       {"wall, unseen", read_unseen_points, text::unseen_tally, text::unseen_points, write_plain_points, not_asked},
       {"pairs", read_pairs, text::pair_tally, text::pairs, write_plain_points},
       {"spheres", read_spheres, text::sphere_tally, text::sphere_points, write_plain_points},
+      {"hollow spheres", read_hollow, text::hollow_tally, text::hollow_points, write_plain_points},
       {"half-spaces", read_half_spaces, text::half_space_tally, text::half_space_points, write_plain_points},
       {"lossy", read_lossy, text::lossy_tally, text::lossy_points, write_plain_points},
       {"relaxing", read_relaxing, text::relaxing_tally, text::relaxing_points, write_relaxing_points},

@@ -74,6 +74,13 @@ The same for spheres:
 |---:|---|---:|---:|---:|---:|---:|---:|
 )";
 
+inline constexpr const char* hollow_tally = R"(
+The same for hollow spheres:
+
+| tolerance | quantity | points | within | strictly | maximum | error / true error | blurred |
+|---:|---|---:|---:|---:|---:|---:|---:|
+)";
+
 inline constexpr const char* half_space_tally = R"(
 The same for spheres on half-spaces and disks on half-planes:
 
@@ -154,6 +161,15 @@ inline constexpr const char* sphere_points = R"(
 
 | ν | v | 1−ε², reference | uncertainty | 1−ε² | error | ratio | cutoff |
 |---:|---:|---:|---:|---:|---:|---:|---:|
+)";
+
+inline constexpr const char* hollow_points = R"(
+## All hollow spheres at the default tolerance
+
+b is the radius of the hole over that of the sphere.
+
+| ν | b | v | 1−ε², reference | uncertainty | 1−ε² | error | ratio | cutoff |
+|---:|---:|---:|---:|---:|---:|---:|---:|---:|
 )";
 
 inline constexpr const char* half_space_points = R"(

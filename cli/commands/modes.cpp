@@ -1,6 +1,7 @@
-// stoss modes: the eigenmodes of a disk or a sphere.
+// stoss modes: the eigenmodes of a disk or a sphere, solid or hollow.
 #include <numbers>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "app.hpp"
@@ -9,6 +10,7 @@
 #include "output/output_options.hpp"
 #include "process/process.hpp"
 #include "stoss/bodies/disk/modes.hpp"
+#include "stoss/bodies/hollow_sphere.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 
 namespace stoss::cli {
@@ -57,7 +59,12 @@ void run(const ModesArguments& arguments) {
   Output output(arguments.output.path, Output::Use::whole);
   catch_interrupts();
   const Poll poll = waiting(arguments.output, "modes");
-  if (encounter.first.kind == "sphere") {
+  using bodies::sphere::hollow_modes;
+  const Solid solid = first_solid(encounter);
+  if (const auto* hollow = std::get_if<HollowSphere>(&solid)) {
+    write(arguments, std::move(output), encounter, bodies::sphere::mode_quantities(),
+          hollow_modes(poisson, hollow->inner, arguments.cutoff, poll));
+  } else if (encounter.first.kind == "sphere") {
     using namespace bodies::sphere;
     write(arguments, std::move(output), encounter, mode_quantities(), modes(poisson, arguments.cutoff, poll));
   } else {
@@ -70,16 +77,17 @@ void run(const ModesArguments& arguments) {
 
 void add_modes(CLI::App& app) {
   auto& arguments = add_subcommand<ModesArguments>(
-      app, "modes", "Eigenmodes of a free elastic disk or sphere, with edge amplitudes", run,
+      app, "modes", "Eigenmodes of a free elastic disk or sphere, solid or hollow, with edge amplitudes", run,
       "Examples:\n"
       "  stoss modes --body disk --poisson 0.33 --cutoff 30 --format csv -o modes.csv\n"
-      "  stoss modes --body sphere --poisson 0.3 --cutoff 12.5");
+      "  stoss modes --body sphere --poisson 0.3 --cutoff 12.5\n"
+      "  stoss modes --body hollow-sphere --inner 0.9 --poisson 0.3 --cutoff 3");
   CLI::App& command = *arguments.command;
-  arguments.body.add_kind_to(command, {"disk", "sphere"});
+  arguments.body.add_kind_to(command, {"sphere", "hollow-sphere", "disk"});
   arguments.body.add_poisson_to(command);
   arguments.body.add_material_to(command);
-  add(command, "--cutoff", arguments.cutoff, "Highest frequency in c/R, up to 1000 (default: 30)", "OMEGA",
-      "Resolution");
+  add(command, "--cutoff", arguments.cutoff,
+      "Highest frequency in c/R, up to 1000, of a hollow sphere to 400 (default: 30)", "OMEGA", "Resolution");
   arguments.output.add_to(command);
 }
 

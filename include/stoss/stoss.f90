@@ -53,6 +53,12 @@ module stoss
       type(c_ptr), intent(out) :: body
     end function stoss_sphere_make
 
+    integer(c_int) function stoss_hollow_sphere_make(poisson, inner, radius, young, density, loss_time, body) bind(c)
+      import
+      real(c_double), value :: poisson, inner, radius, young, density, loss_time
+      type(c_ptr), intent(out) :: body
+    end function stoss_hollow_sphere_make
+
     integer(c_int) function stoss_rod_make(length, young, density, area, loss_time, body) bind(c)
       import
       real(c_double), value :: length, young, density, area, loss_time

@@ -67,6 +67,10 @@ int stoss_disk_make(double poisson, double radius, double young, double density,
 /** Makes a sphere. @param poisson -0.95 to 0.4999 */
 int stoss_sphere_make(double poisson, double radius, double young, double density, double loss_time, stoss_body** body);
 
+/** Makes a hollow sphere. @param inner radius of the concentric hole over that of the sphere, 0 (solid) to 0.99 */
+int stoss_hollow_sphere_make(double poisson, double inner, double radius, double young, double density,
+                             double loss_time, stoss_body** body);
+
 /** Makes a thin rod, which meets with one end. */
 int stoss_rod_make(double length, double young, double density, double area, double loss_time, stoss_body** body);
 

@@ -39,6 +39,14 @@ int stoss_sphere_make(double poisson, double radius, double young, double densit
   });
 }
 
+int stoss_hollow_sphere_make(double poisson, double inner, double radius, double young, double density,
+                             double loss_time, stoss_body** body) {
+  return handed_over(body, [&] {
+    const stoss::HollowSphere value{poisson, inner, radius, young, density, loss_time};
+    return stoss_body{value, false, stoss::hollow_sphere(value)};
+  });
+}
+
 int stoss_rod_make(double length, double young, double density, double area, double loss_time, stoss_body** body) {
   return handed_over(body, [&] {
     const stoss::Rod value{length, young, density, area, loss_time};

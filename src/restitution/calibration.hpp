@@ -90,6 +90,9 @@ inline constexpr double roughness = 0.05;               // of √U of balls: 64 
 /// The same of a hollow ball is larger by this times b⁶: the waves in its shell come back to the contact. Hollow balls
 /// at a wall, b = 0.5 to 0.98, v = 1e-4 to 0.05: 0.08 at 0.5, 0.3 at 0.8, 1.8 at 0.9, 3.3 at 0.95 (2026-11-30).
 inline constexpr double roughness_of_shells = 4.5;
+/// The same waves take or give a share of U, times b⁶, and let the order of the losses fall by so much, times b⁶.
+/// 92 random hollow balls at a wall, b = 0.5 to 0.98, ν = 0 to 0.47, v = 1e-5 to 0.1 (2026-11-30).
+inline constexpr double share_of_shells = 0.08, slower_in_shells = 1.0;
 inline constexpr double turn = 0.008;         // of U, missing at closest approach: reference.csv
 inline constexpr double squared_step = 10.0;  // of Δt²/t: 147 random half-spaces (2026-11-28)
 inline constexpr double ripple = 0.005;       // of the mean of a force that begins with a jump: rods (2026-11-28)

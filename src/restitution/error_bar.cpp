@@ -13,6 +13,7 @@
 #include "restitution/ladder/climb.hpp"
 #include "restitution/layer_doubt.hpp"
 #include "restitution/loss_shares.hpp"
+#include "restitution/missing_energy.hpp"
 #include "restitution/node_errors.hpp"
 #include "restitution/yield_errors.hpp"
 
@@ -21,49 +22,9 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
-/// What 1 − ε² lacks at a cutoff, as shares of the unresolved energy.
-struct Missing {
-  double share;  ///< which the modes above the cutoff would return
-  Term doubt;    ///< by which one run may be off
-};
-
-/// Shares rise at low speed, and fall at high speed, where errors have either sign: they fall less than their mean.
-double whole_share(const calibration::Share& share, double cutoff, double speed) {
-  using namespace calibration;
-  return share.at_64 * std::pow(64.0 / cutoff, share.power) *
-         std::clamp(std::pow(speed / slow_speed, slow_power), 1.0, slow_at_most);
-}
-
-Missing missing(double whole, const calibration::Share& mean, double speed, const Term& noise, const Term& fast) {
-  const double share = whole * (1.0 / (1.0 + speed / mean.half)), of_share = calibration::of_share * share;
-  const double slow = of_share + noise.error;
-  if (fast.error > slow) return {share, fast};
-  if (of_share > noise.error) return {share, {"of_share", calibration::of_share, slow}};
-  return {share, {noise.constant, noise.in_use, slow}};
-}
-
-/// @param cutoff over the time scale of the contact
-/// @param speed  of the faster body in its own wave speed
-Missing missing_on_a_line(double cutoff, double speed) {
-  using namespace calibration;
-  const auto& [at_16, power, slow] = noise_on_a_line;
-  const double whole = whole_share(share_on_a_line, cutoff, speed), calm = std::min(2.2, std::pow(speed / slow, -0.25));
-  const double noise = at_16 * calm * std::pow(16.0 / cutoff, power);
-  const double either = std::min(std::pow(speed / fast_speed, 4), fast_at_most);
-  return missing(whole, share_on_a_line, speed, {"noise_on_a_line.at_16", at_16, noise},
-                 {"fast_at_most", fast_at_most, either * whole});
-}
-
-/// The same where a circle touches. At low speed the loss is a wave of the speed (docs/theory/spheres.md), and what one
-/// run is off by falls no faster than the cutoff rises.
-Missing missing_of_balls(double cutoff, double speed) {
-  using namespace calibration;
-  const auto& [at_16, power, slow] = noise_of_balls;
-  const double whole = whole_share(share_of_balls, cutoff, speed);
-  const double calm = std::max(std::min(std::pow(speed / slow, -0.4), 16.0), std::pow(speed / slow, -0.25));
-  const double noise = at_16 * calm * 16.0 / std::pow(cutoff, power);
-  return missing(whole, share_of_balls, speed, {"noise_of_balls.at_16", at_16, noise},
-                 {"fast_of_balls", fast_of_balls, fast_of_balls * whole});
+/// b of the thinner shell of both, 0 of solid bodies.
+double thinner_hole(const Contact& contact) {
+  return std::max(contact.first->hole, contact.second == nullptr ? 0.0 : contact.second->hole);
 }
 
 /// To a plate that takes nearly all of the energy, more of it does nothing, and where a ball stays nothing can.
@@ -84,7 +45,11 @@ Term by_differences(std::string_view constant, const calibration::Differences& f
 
 Bar lost_on_a_growing_contact(const Contact& contact, double speed, const std::vector<Run>& runs, double order) {
   using namespace calibration;
-  const auto missing = touch(contact).circle ? missing_of_balls : missing_on_a_line;
+  const bool circle = touch(contact).circle;
+  const double thin = thinner_hole(contact);
+  const auto missing = [circle, thin](double cutoff, double own) {
+    return circle ? missing_of_balls(cutoff, own, thin) : missing_on_a_line(cutoff, own);
+  };
   const double scale = time_scale(contact), own = mach_number(contact, speed);
   const bool few = has_few_modes(contact);
   const auto corrected_from = [&](const Run& run, double least) {
@@ -141,8 +106,7 @@ std::vector<Bar> other_bars(const Contact& contact, double speed, const Restitut
   const Term parts{at_a_point ? "" : "squared_step", squared_step, last.impulse_time > 0.0 ? of_parts : 0.0};
   // A wave that comes back to the edge of a disk, or was there, is a short peak; balls have roughness, from what of the
   // unresolved energy may come back.
-  const double thin = std::max(contact.first->hole, contact.second == nullptr ? 0.0 : contact.second->hole);
-  const double shell = roughness_of_shells * std::pow(thin, 6);
+  const double shell = roughness_of_shells * std::pow(thinner_hole(contact), 6);
   const double amplitude = shell + (calm ? roughness * std::sqrt(rebound(contact, last) * returned(contact)) : focus);
   const double peak = amplitude * std::sqrt(std::max(0.0, last.unresolved));
   Term force{calm ? "roughness" : "focus", calm ? roughness : focus, peak * last.max_force};
@@ -183,7 +147,9 @@ const Term& Bar::greatest() const {
 double convergence_order(const Contact& contact, double speed) {
   if (has_single_point(contact)) return calibration::lost_at_a_point.order;
   const bool slower = loses(contact) && contact.yield.yield == 0.0 && leaves_edge(contact, speed);
-  return slower ? calibration::order_of_losses : calibration::lost_fraction.order;
+  const double order = slower ? calibration::order_of_losses : calibration::lost_fraction.order;
+  return std::min(
+      order, calibration::lost_fraction.order - calibration::slower_in_shells * std::pow(thinner_hole(contact), 6));
 }
 
 double sensitivity(const Contact& contact, double lost) {

@@ -237,6 +237,26 @@ TEST(HollowSphere, ResponseIsPositiveDefinite) {
   }
 }
 
+TEST(HollowSphere, ListsItsModesAsTheSphereDoes) {
+  const std::vector<Mode> listed = hollow_modes(0.3, 0.9, 6.0), solid = modes(0.3, 6.0);
+  const std::vector<Mode> none = hollow_modes(0.3, 0.0, 6.0);
+  ASSERT_EQ(none.size(), solid.size());
+  for (std::size_t k = 0; k < solid.size(); ++k) EXPECT_EQ(none[k].omega, solid[k].omega);
+  ASSERT_EQ(listed.front().order, 0);
+  // It breathes as a membrane, with a displacement that hardly depends on r.
+  EXPECT_NEAR(listed.front().omega, std::sqrt(2.0 / 0.7) / 0.95, 2e-3);
+  EXPECT_NEAR(listed.front().radial, std::sqrt(1.0 / (1.0 - 0.729)), 0.05 * listed.front().radial);
+  for (std::size_t k = 1; k < listed.size(); ++k) {
+    const Mode &before = listed[k - 1], &mode = listed[k];
+    EXPECT_TRUE(before.order < mode.order || (before.order == mode.order && before.omega < mode.omega));
+    EXPECT_NEAR(determinant(0.3, 0.9, mode.order, mode.omega), 0.0, 1e-6) << mode.order << " " << mode.omega;
+  }
+  EXPECT_THROW((void)hollow_modes(0.3, 1.0, 6.0), InvalidInput);
+  EXPECT_THROW((void)hollow_modes(0.3, 0.9, 401.0), InvalidInput);
+  EXPECT_THROW((void)hollow_modes(0.3, 0.9, 0.1), InvalidInput);  // below the lowest mode
+  EXPECT_THROW((void)hollow_modes(0.5, 0.9, 6.0), InvalidInput);
+}
+
 TEST(HollowSphere, RefusesWhatIsOutOfRange) {
   EXPECT_THROW((void)hollow_sphere({0.3, 1.0}), InvalidInput);
   EXPECT_THROW((void)hollow_sphere({0.3, -0.1}), InvalidInput);

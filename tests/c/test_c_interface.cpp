@@ -11,6 +11,7 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/half_space.hpp"
+#include "stoss/bodies/hollow_sphere.hpp"
 #include "stoss/bodies/plate.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/bodies/sphere.hpp"
@@ -46,17 +47,20 @@ void expect_same(const stoss_contact* in_c, const RefinableContact& contact) {
 }
 
 TEST(CInterface, BodiesAtAWallAreThoseOfCpp) {
-  CBody disk, sphere, rod;
-  CContact of_disk, of_sphere, of_rod;
+  CBody disk, sphere, hollow, rod;
+  CContact of_disk, of_sphere, of_hollow, of_rod;
   ASSERT_EQ(stoss_disk_make(0.33, 2.0, 3.0, 4.0, 0.5, &disk), STOSS_OK) << stoss_message();
   ASSERT_EQ(stoss_sphere_make(0.3, 0.5, 2.0, 3.0, 0.0, &sphere), STOSS_OK) << stoss_message();
+  ASSERT_EQ(stoss_hollow_sphere_make(0.3, 0.7, 0.5, 2.0, 3.0, 0.1, &hollow), STOSS_OK) << stoss_message();
   ASSERT_EQ(stoss_rod_make(2.0, 3.0, 4.0, 0.1, 0.2, &rod), STOSS_OK) << stoss_message();
   ASSERT_EQ(stoss_wall_contact_make(rod, &of_rod), STOSS_OK);
   ASSERT_EQ(stoss_wall_contact_make(disk, &of_disk), STOSS_OK);
   ASSERT_EQ(stoss_wall_contact_make(sphere, &of_sphere), STOSS_OK);
+  ASSERT_EQ(stoss_wall_contact_make(hollow, &of_hollow), STOSS_OK);
   expect_same(of_disk, RefinableContact(stoss::disk(Disk{0.33, 2.0, 3.0, 4.0, 0.5})));
   expect_same(of_rod, RefinableContact(stoss::rod(Rod{2.0, 3.0, 4.0, 0.1, 0.2})));
   expect_same(of_sphere, RefinableContact(stoss::sphere(Sphere{0.3, 0.5, 2.0, 3.0, 0.0})));
+  expect_same(of_hollow, RefinableContact(hollow_sphere(HollowSphere{0.3, 0.7, 0.5, 2.0, 3.0, 0.1})));
 }
 
 TEST(CInterface, PairsAreThoseOfCpp) {

@@ -15,6 +15,9 @@ program main
   call require(stoss_disk_make(0.33_c_double, 1.0_c_double, 1.0_c_double, 1.0_c_double, 0.0_c_double, disk) == stoss_ok, 1)
   call require(stoss_wall_contact_make(disk, contact) == stoss_ok, 2)
   call stoss_body_free(disk)
+  call require(stoss_hollow_sphere_make(0.3_c_double, 0.9_c_double, 1.0_c_double, 1.0_c_double, 1.0_c_double, &
+    0.0_c_double, disk) == stoss_ok, 1)
+  call stoss_body_free(disk)
   call require(stoss_curve(contact, speeds, 2_c_size_t, stoss_tolerance, stoss_absolute, control, results) == stoss_ok, 3)
   print '(f7.5, a, f7.5)', results(1)%restitution%value, ' +- ', results(1)%restitution%error
   call require(all(results%converged == 1) .and. all(results%speed == speeds), 4)

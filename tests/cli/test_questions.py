@@ -18,16 +18,17 @@ MANUAL = (ROOT / "cli/stoss.1.in").read_text(encoding="utf-8")
 WORDS = set(re.findall(r"[a-z]+(?:_[a-z]+)*", MANUAL.replace("\\f", " ")))
 
 SPHERE, DISK = "--body sphere --poisson 0.3", "--body disk --poisson 0.33"
+HOLLOW = "--body hollow-sphere --inner 0.9 --poisson 0.3"
 BALL = "--body sphere --material 'structural steel' --radius 0.005"
 PLATE = "--body disk --material brass --radius 0.01 --plane strain"
 ROD = "--body rod --material brass --length 0.5 --area 1e-4 --against rod,material=glass,length=1,area=1e-4"
 # By subcommand: what it is asked of whom.
 CASES = {
-    "modes": ("--cutoff 3", [DISK, SPHERE, PLATE]),
+    "modes": ("--cutoff 3", [DISK, SPHERE, HOLLOW, PLATE]),
     "impact": ("--speed 0.1 --cutoff 6", [DISK, SPHERE, f"{BALL} --against same", ROD]),
     "bounce": ("--speed 0.1 --cutoff 6 --count 2", [f"{DISK} --flight-time 10", f"{BALL} --gravity 9.81 --decay-time 1e-3"]),
     "restitution": ("--speed 0.1,0.2 --tolerance 0.1 --absolute 1e-3",
-                    [DISK.replace("0.33", "0.33,0.3"), SPHERE, f"{BALL} --against same", PLATE, ROD]),
+                    [DISK.replace("0.33", "0.33,0.3"), SPHERE, HOLLOW, f"{BALL} --against same", PLATE, ROD]),
     "oblique": ("--speed 0.1 --friction 0.1 --tolerance 0.3",
                 [f"{SPHERE} --tangential 0.01,-0.02 --spin 0.01", f"{DISK} --angle 30,60", f"{BALL} --angle 0,30"]),
     "distribution": ("--speed 0.1 --samples 3 --error 0.1", [f"{DISK} --spectrum 2,0,energy=0.1", f"{BALL} --temperature 0.01"]),

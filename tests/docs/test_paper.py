@@ -48,7 +48,7 @@ def rows(section, tolerance):
 
 def test_the_shares_within_the_errors_are_those_of_the_validation():
     within = [float(row[3].removesuffix(" %")) for row in rows("Result", "0.001")]
-    assert len(within) == 9 and "at nine sets of points" in WORDS
+    assert len(within) == 10 and "at ten sets of points" in WORDS
     assert f"{min(within):.0f} to {max(within):.0f} % of the true errors are within the estimated ones" in WORDS
     shares = re.search(r"with 0.1 < v < 0.6, ([\d, and]+) % lie within", VALIDATION_WORDS)[1]
     assert f"Fast disks, 0.1 to 0.6 of the wave speed, are the weak spot, at {re.findall('[0-9]+', shares)[1]} %" in WORDS

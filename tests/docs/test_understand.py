@@ -46,7 +46,7 @@ def test_shares_within_the_errors():
     its = [cells(line, "0.001") for line in section("Result").splitlines() if line.startswith("| 0.001 |")]
     within = [float(row[3].removesuffix(" %")) for row in its]
     text = words("accuracy")
-    assert f"{min(within):.0f} to {max(within):.0f} % of the test cases of each of nine sets" in text and len(its) == 9
+    assert f"{min(within):.0f} to {max(within):.0f} % of the test cases of each of ten sets" in text and len(its) == 10
     medians = [float(row[5]) for row in its]
     assert f"the stated error is {min(medians):.0f} to {max(medians):.0f} times the true one" in text
     fast = re.search(r"with 0.1 < v < 0.6, ([\d, ]+ and \d+) % lie within", " ".join(VALIDATION.split()))[1]

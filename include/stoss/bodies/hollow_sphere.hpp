@@ -1,8 +1,12 @@
 #pragma once
 
+#include <vector>
+
 #include "stoss/bodies/sphere.hpp"
+#include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/body/body.hpp"
 #include "stoss/material.hpp"
+#include "stoss/poll.hpp"
 
 namespace stoss {
 
@@ -25,5 +29,17 @@ struct HollowSphere {
 /// SI values of the units of a hollow sphere that is given in SI: as of a Sphere, the force mc²/R with its own mass.
 /// @throws InvalidInput as above
 [[nodiscard]] Scales scales(const HollowSphere& hollow);
+
+namespace bodies::sphere {
+
+/// All spheroidal axisymmetric modes of a free hollow sphere with 0 < ω ≤ cutoff, sorted by degree, then by frequency.
+/// Normalised as those of a solid sphere to ∫ r² (u_r² + n(n+1) u_θ²) dr = (2n+1)/3, now from b to 1: their modal mass
+/// is 4π/3. Where the field of a degree is below rounding at the hole, its modes are those of the solid sphere.
+/// @param inner  b, 0 … 0.99
+/// @param cutoff highest frequency in c/R, from the lowest mode to 400
+/// @throws InvalidInput outside these ranges, and for a Poisson's ratio outside −0.95 … 0.4999
+[[nodiscard]] std::vector<Mode> hollow_modes(double poisson, double inner, double cutoff, const Poll& poll = {});
+
+}  // namespace bodies::sphere
 
 }  // namespace stoss

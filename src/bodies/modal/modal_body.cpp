@@ -17,6 +17,7 @@ namespace stoss {
 namespace {
 
 using namespace bodies;
+using bodies::modal::Bending;
 using bodies::modal::Direction;
 using bodies::modal::PointModes;
 using bodies::modal::PointSurroundings;
@@ -32,14 +33,14 @@ constexpr double local_duration = 6.0;
 /// What a number of a body is worth: as it is given, or off by an error, of which nothing is refused.
 enum class Numbers { given, off };
 
-Body made(const ModalBody& its, double cutoff, Numbers numbers, const Unevenness& uneven = {});
+Body made(const ModalBody& its, double cutoff, Numbers numbers, const Bending& bends, const Unevenness& uneven = {});
 
 /// The bodies with these numbers at the same cutoff, which is in units of their length.
-std::vector<Body> made_all(const modal::Alternatives& all, const ModalBody& its, double cutoff) {
+std::vector<Body> made_all(const modal::Alternatives& all, const ModalBody& its, double cutoff, const Bending& bends) {
   std::vector<Body> bodies;
   const auto add = [&](const std::vector<ModalBody>& each, bool bound) {
     for (const ModalBody& other : each) {
-      bodies.push_back(made(other, cutoff * own_length(other) / own_length(its), Numbers::off));
+      bodies.push_back(made(other, cutoff * own_length(other) / own_length(its), Numbers::off, bends));
       bodies.back().known.is_bound = bound;
     }
   };
@@ -65,22 +66,30 @@ Body flatter_sided(Body body) {
   return body;
 }
 
-Validity knowledge_of(const ModalBody& its, double cutoff, const PointModes& modes) {
+/// The body with as much more bending as is in doubt.
+Body bent(const ModalBody& its, double cutoff, const Bending& bends) {
+  Body body = made(its, cutoff, Numbers::off, {bends.constant + bends.doubt, 0.0});
+  body.known.is_bound = true;
+  return body;
+}
+
+Validity knowledge_of(const ModalBody& its, double cutoff, const PointModes& modes, const Bending& bends) {
   Validity known;
   known.complete_to = its.complete_to * own_length(its) / wave_speed(its);
   known.max_cutoff_times_width = its.has_bends ? modal::reach : modal::reach_of_pistons;
   known.max_cutoff_times_width_along =
       its.tangent && its.tangent->has_bends ? known.max_cutoff_times_width : modal::reach_of_pistons;
-  known.alternatives = [its, cutoff](double other) {
-    std::vector<Body> all = made_all(modal::alternatives(its, other), its, cutoff);
-    if (its.curvature > 0.0) all.push_back(flatter_sided(made(its, cutoff, Numbers::off)));
+  known.alternatives = [its, cutoff, bends](double other) {
+    std::vector<Body> all = made_all(modal::alternatives(its, other), its, cutoff, bends);
+    if (its.curvature > 0.0) all.push_back(flatter_sided(made(its, cutoff, Numbers::off, bends)));
+    if (bends.doubt > 0.0) all.push_back(bent(its, cutoff, bends));
     return all;
   };
-  known.alternatives_along = [its, cutoff](double other) {
-    std::vector<Body> all = made_all(modal::alternatives_along(its), its, cutoff);
+  known.alternatives_along = [its, cutoff, bends](double other) {
+    std::vector<Body> all = made_all(modal::alternatives_along(its), its, cutoff, bends);
     const Unevenness uneven = modal::unevenness(its, other);
     if (its.tangent && uneven.curvature > 0.0) {
-      all.push_back(made(its, cutoff, Numbers::off, uneven));
+      all.push_back(made(its, cutoff, Numbers::off, bends, uneven));
       all.back().known.is_bound = true;
     }
     return all;
@@ -100,7 +109,7 @@ void set_rigid_motion(const ModalBody& its, Body& body) {
   body.extent = its.tangent->arm / length;
 }
 
-Body made(const ModalBody& its, double cutoff, Numbers numbers, const Unevenness& uneven) {
+Body made(const ModalBody& its, double cutoff, Numbers numbers, const Bending& bends, const Unevenness& uneven) {
   const double length = own_length(its);
   const PointModes modes = modal::point_modes(its, kept_cutoff(cutoff, its.loss_time * wave_speed(its) / length));
   const PointSurroundings near{its.poisson, its.curvature == 0.0};
@@ -117,13 +126,14 @@ Body made(const ModalBody& its, double cutoff, Numbers numbers, const Unevenness
   body.loss_time = its.loss_time * wave_speed(its) / length;
   body.cutoff = cutoff;
   body.sampling = sampling;
-  body.known = knowledge_of(its, cutoff, modes);
+  body.known = knowledge_of(its, cutoff, modes, bends);
   set_rigid_motion(its, body);
   body.groups = modal::groups_of(modes, Direction::normal);
   body.surface = [near](const ContactPoints& points) { return modal::point_surface(near, Direction::normal, points); };
-  body.residual_compliance = [near, modes](const ContactPoints& points, const Poll& poll) {
+  body.residual_compliance = [near, modes, bends](const ContactPoints& points, const Poll& poll) {
     std::vector<double> compliance = modal::local_compliance(near, Direction::normal, points, poll);
     for (double& each : compliance) each += modes.constant;
+    if (bends.constant != 0.0) modal::add_bending(bends.constant, points, compliance);
     modal::take_kept(modes, Direction::normal, points, points.count, compliance);
     return compliance;
   };
@@ -188,7 +198,9 @@ Scales scales(const ModalBody& body) {
 BodyMaker modal_body(ModalBody body) {
   modal::require_body(body);
   const auto its = std::make_shared<const ModalBody>(std::move(body));
-  return [its](double cutoff, const Poll&) { return made(*its, cutoff, Numbers::given); };
+  return [its, bends = modal::bending(*its, {})](double cutoff, const Poll&) {
+    return made(*its, cutoff, Numbers::given, bends);
+  };
 }
 
 }  // namespace stoss

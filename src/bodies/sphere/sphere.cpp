@@ -33,7 +33,6 @@ using namespace bodies::sphere;
 // The lowest mode lies between these for every ν.
 constexpr double no_mode_below = 1.0;
 constexpr double highest_lowest_mode = 2.0;
-constexpr double max_hollow_cutoff = 400.0, max_inner = 0.99;
 constexpr double mass = 4.0 * std::numbers::pi / 3.0;
 
 /// @param unit amplitude of a mode of the mass of the body, over that of one of the mass of a solid sphere
@@ -108,11 +107,15 @@ Sphere solid(const HollowSphere& hollow) {
 
 void require_hollow(const HollowSphere& hollow) {
   require_sphere(solid(hollow));
-  constexpr Range allowed{0.0, max_inner, true, true, "0 to 0.99"};
-  require("inner", hollow.inner, allowed, "radius of the hole over that of the sphere");
+  require_inner(hollow.inner);
 }
 
 }  // namespace
+
+void bodies::sphere::require_inner(double inner) {
+  constexpr Range allowed{0.0, max_inner, true, true, "0 to 0.99"};
+  require("inner", inner, allowed, "radius of the hole over that of the sphere");
+}
 
 Surface bodies::sphere::axial_surface(double poisson, std::size_t rows, const ContactPoints& points) {
   const WaveSpeeds speed = wave_speeds(poisson);

@@ -6,9 +6,12 @@
 #include <cstddef>
 #include <mutex>
 
+#include "bodies/mode_search.hpp"
 #include "bodies/sphere/degree_sums.hpp"
 #include "bodies/sphere/hole/radial_shell.hpp"
 #include "bodies/sphere/mode_search.hpp"
+#include "check.hpp"
+#include "stoss/bodies/hollow_sphere.hpp"
 
 namespace stoss::bodies::sphere {
 namespace {
@@ -87,6 +90,19 @@ std::vector<ToroidalMode> Hole::toroidal_modes(double poisson, double cutoff, co
   return modes_with_hole(
       1, solid, hidden, poll, [&](int n) { return shell.toroidal_modes(n, cutoff); },
       [&] { return sphere::toroidal_modes(poisson, cutoff, poll); });
+}
+
+std::vector<Mode> hollow_modes(double poisson, double inner, double cutoff, const Poll& poll) {
+  require_poisson(poisson);
+  require_inner(inner);
+  if (inner == 0.0) return sphere::modes(poisson, cutoff, poll);
+  constexpr Range allowed{0.0, max_hollow_cutoff, false, true, "above 0 to 400"};
+  require("cutoff", cutoff, allowed, "highest frequency in c/R; 25 to 100 is usual");
+  const Hole hole(poisson, inner);
+  auto modes = hole.modes(poisson, cutoff, poll);
+  constexpr double above_the_lowest = 3.0;
+  if (modes.empty()) refuse_low_cutoff(hole.modes(poisson, above_the_lowest, poll), cutoff, max_hollow_cutoff);
+  return modes;
 }
 
 const OrderExcess& Hole::excess(const Poll& poll) const {

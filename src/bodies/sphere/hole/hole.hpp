@@ -10,6 +10,11 @@
 
 namespace stoss::bodies::sphere {
 
+inline constexpr double max_hollow_cutoff = 400.0, max_inner = 0.99;
+
+/// Throws InvalidInput for b outside 0 … 0.99.
+void require_inner(double inner);
+
 /// A concentric hole in a sphere, of the radius b: its modes with it, and what its static response has more. Without a
 /// hole all is that of the solid sphere; with one too, but for the degrees whose fields reach so deep
 /// (docs/theory/spheres.md).
