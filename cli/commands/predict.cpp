@@ -128,7 +128,7 @@ void write(const PredictArguments& arguments, const Encounter& encounter, const 
 
 void run(const PredictArguments& arguments) {
   if (arguments.quick && given(*arguments.command, "--format")) {
-    throw InvalidInput::conflict("quick", "--quick with --format, allowed only without");
+    throw InvalidInput::out_of_range("quick", "--quick with --format", "only without");
   }
   const Encounter encounter = arguments.who.encounter();
   std::vector<double> speeds = arguments.approach.series(units_of(encounter));

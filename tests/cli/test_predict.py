@@ -42,8 +42,6 @@ def test_quick_is_one_line_a_speed(stoss, tmp_path):
     file = tmp_path / "epsilon"
     done = stoss.run("predict --quick", ball, f"-o {file}")
     assert done.stdout == "" and file.read_text().splitlines() == lines and "warning" in done.stderr
-    refused = stoss.run("predict --quick --format json", ball)
-    assert refused.returncode == 3 and refused.stderr == "stoss: error: quick: --quick with --format, allowed only without\n"
 
 
 def test_table_states_the_spread_beside_its_error(stoss):

@@ -110,6 +110,7 @@ quasistatic {DISK} --speed 0.1 --law hertz | law: got hertz with --body disk, al
 quasistatic {BALL} --speed 0.1 --law diameter | law: got diameter with --body sphere, allowed center or hertz
 predict --body disk --poisson 0.3 --young 2e11 --density 7800 --radius 0.01 --speed 1 | body: got a disk
 predict {BALL} --speed 0.1 | material: missing
+predict {STEEL} --speed 1 --quick --format json | quick: got --quick with --format, allowed only without
 predict {STEEL} --height 0 | height: got 0
 predict {STEEL} --speed 1 --uncertainty young | uncertainty: got 'young', allowed NAME=U
 predict {STEEL} --speed 1 --uncertainty colour=1 | uncertainties: got 'colour'
@@ -128,8 +129,6 @@ table {DISK} --speed 0.01:0.1 --oblique | friction: missing, above 0 to 5
 table {BALL} --speed 0.01:0.1 --friction 0.3 --oblique | friction: got 0.3, allowed none
 table {BALL} --speed 0.01:0.1 --oblique --format two-column | speed: got '0.01:0.1'
 table --body rod --speed 0.01:0.1 --oblique | friction: not available for 'rod'
-table {BALL} --speed 0.01:0.1 --oblique --format rust | format: got rust with --oblique, allowed c, two-column, json or netcdf
-table {BALL} --speed 0.01:0.1 --oblique --format js | format: got js with --oblique
 table {BALL} --speed 0.01:0.1 --oblique --format netcdf | output: missing, a file
 table {DISK} --speed 0.01:0.1 --format netcdf -o x.nc | format: got netcdf, allowed only with --oblique
 table {STEEL} --speed 1:2 --adhesion 0.1 | adhesion: got --adhesion, allowed only with --predict
