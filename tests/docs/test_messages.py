@@ -36,6 +36,7 @@ predict --body sphere --material bearing_steel --radius 0.005 --speed 1 --agains
 predict --body sphere --material ice --radius 1e-6 --speed 1 --against same
 predict --body sphere --material alumina --radius 0.005 --speed 1 --against same
 restitution {GLASS} --speed 1
+restitution --radius 0.01 --material glass --speed 1 --tolerance 0.05 --against plate,thickness=0.003,material=glass
 restitution --body sphere --material granite --radius 1 --speed 1
 restitution {BALL} --speed 0.3
 oblique --body sphere --poisson 0.49 --speed 0.05 --tangential 0.02 --spin 0.1 --friction 1

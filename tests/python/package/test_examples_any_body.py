@@ -102,3 +102,35 @@ def test_17_ring(example):
         assert f"| {thickness} mm | {epsilon} | {contact:.0f} µs |" in PAGE
     takes = list(its.numbers("3.23 kHz"))[0]
     assert 58 < takes[1] < 60 and takes[2] < 1
+
+
+def near(table, speed, **place):
+    """The row at a speed with a value that is closest to a place in m."""
+    rows = table[(table["speed"] == speed) & np.isfinite(table["restitution"])]
+    return rows[int(np.argmin(np.sqrt(sum((rows[name] - at) ** 2 for name, at in place.items()))))]
+
+
+def test_22_bell_map(example):
+    its, table = example("22_bell_map"), stoss.read_csv(EXAMPLES / "any_body/bell_map.csv")
+    for row in its.numbers("outside, points"):
+        assert row[0] < row[1] < 1.0  # as they must on a body of revolution
+    low, high = (near(table, 1.0, z=height) for height in (0.03, 0.077))
+    told = [f"{row['restitution']:.2f}({100 * row['restitution_error']:.0f})" for row in (low, high)]
+    ((*_, few, _, value, error),) = its.numbers("bell, ball")
+    assert few == pytest.approx(value, abs=error)
+    told += [f"{value:.4f}({1e4 * error:.0f})", f"{few:.4f}"]
+    ((*_, few, _, value, error),) = its.numbers("plate, ball")
+    ((exact, _),) = its.numbers("and ")
+    assert abs(value - exact) < error and few - exact > 15 * abs(value - exact)
+    told += [f"{few:.3f}", f"{exact:.3f}", f"{value:.2f}({100 * error:.0f})"]
+    assert not [number for number in told if number not in PAGE], told
+
+
+def test_23_clamped_plate_map(example):
+    its, table = example("23_clamped_plate_map"), stoss.read_csv(EXAMPLES / "any_body/clamped_plate_map.csv")
+    for speed in (0.3, 3.0):
+        ((*_, off),) = its.numbers(f"{speed:g} m/s, ")
+        assert off < 1.0  # as its faces, left and right, are alike
+    middle, corner = near(table, 0.3, x=0.002, y=0.0), near(table, 0.3, x=0.048, y=0.03)
+    told = f"{middle['restitution']:.3f}({1e3 * middle['restitution_error']:.0f})"
+    assert told in PAGE and f"{corner['restitution']:.4f}({1e4 * corner['restitution_error']:.0f})" in PAGE
