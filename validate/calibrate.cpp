@@ -82,7 +82,7 @@ bool write_calibration(std::ostream& out) {
   constexpr double quantile = 0.95, enough = 0.5;
   constexpr std::size_t fewest = 20;  // of which a quantile says something
   std::array<char, 160> line{};
-  std::snprintf(line.data(), line.size(), "%-12s %-26s %10s %6s %12s\n", "set", "constant", "in use", "runs",
+  std::snprintf(line.data(), line.size(), "%-14s %-26s %10s %6s %12s\n", "set", "constant", "in use", "runs",
                 "asked, 95 %");
   out << line.data();
   bool all_enough = true;
@@ -94,7 +94,7 @@ bool write_calibration(std::ostream& out) {
       const double wanted =
           asked.values[static_cast<std::size_t>(quantile * static_cast<double>(asked.values.size() - 1))];
       const bool tells = asked.values.size() >= fewest, met = !tells || asked.in_use >= enough * wanted;
-      std::snprintf(line.data(), line.size(), "%-12s %-26s %10.3g %6zu %12.3g%s\n", set.name, constant.c_str(),
+      std::snprintf(line.data(), line.size(), "%-14s %-26s %10.3g %6zu %12.3g%s\n", set.name, constant.c_str(),
                     asked.in_use, asked.values.size(), wanted, met ? "" : "  too small");
       out << line.data() << std::flush;
       all_enough = all_enough && met;
