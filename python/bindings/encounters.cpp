@@ -1,4 +1,4 @@
-// Who meets whom: kinds, materials, modes, encounters and the contacts that are made of them.
+// Who meets whom: materials, modes, encounters and the contacts that are made of them.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -10,7 +10,6 @@
 #include "stoss/encounter/inputs.hpp"
 #include "stoss/encounter/laws.hpp"
 #include "stoss/encounter/materials.hpp"
-#include "stoss/encounter/programs.hpp"
 #include "stoss/encounter/relaxing.hpp"
 #include "stoss/encounter/roughness.hpp"
 #include "stoss/encounter/series.hpp"
@@ -22,47 +21,6 @@
 
 namespace stoss::python {
 namespace {
-
-py::list all_kinds() {
-  py::list all;
-  for (const Kind& each : kinds()) {
-    py::list numbers;
-    for (const auto& [name, unit, otherwise, low, high, low_included, of_material, help] : each.parameters) {
-      numbers.append(py::make_tuple(name, unit, otherwise, low, high, low_included, of_material));
-    }
-    all.append(
-        py::make_tuple(each.name, each.wall, each.bounded, each.can_be_rigid, each.has_plane, each.from_file, numbers));
-  }
-  return all;
-}
-
-/// Names of the laws that are fitted.
-py::list names_of_laws() {
-  py::list all;
-  for (const FittedLaw& law : fitted_laws()) all.append(law.name);
-  return all;
-}
-
-/// Title, laws and trial of each program.
-py::dict programs_of_laws() {
-  py::dict all;
-  for (const auto& [name, title, laws, writes, tried] : fitted_programs()) {
-    all[py::str(name)] = py::make_tuple(title, py::tuple(py::cast(laws)), tried);
-  }
-  return all;
-}
-
-/// Each input of each question.
-py::list all_inputs() {
-  py::list all;
-  for (const Input& each : inputs()) {
-    for (const auto& [question, name] : questions()) {
-      if (each.use(question) == nullptr) continue;
-      all.append(py::make_tuple(name, each.name, each.low, each.high, each.low_included, each.high_included));
-    }
-  }
-  return all;
-}
 
 /// Pairs of shares and times, or None.
 std::optional<std::vector<std::pair<double, double>>> terms_of(const std::optional<Relaxation>& relaxation) {
@@ -81,17 +39,6 @@ py::list all_materials() {
         its.frequency == usual_frequency ? std::nullopt : std::optional(its.frequency), terms_of(its.relaxation)));
   }
   return all;
-}
-
-/// Names of the units by dimension, of results of which such a body is the first.
-std::map<std::string, std::string> units(const std::string& of, bool si) {
-  std::map<std::string, std::string> names;
-  using enum Dimension;
-  const UnitSystem system = si ? kind(of).si : kind(of).own;
-  for (const Dimension each : {none, length, inverse_length, time, speed, frequency, force, energy, momentum}) {
-    names.emplace(dimension_name(each), unit_name(each, system));
-  }
-  return names;
 }
 
 /// At one cutoff, with some or all of the modes of a body at a wall.
@@ -170,10 +117,6 @@ void bind_contacts(py::module_& module) {
 
 void bind_encounters(py::module_& module) {
   bind_contacts(module);
-  def(module, "kinds", &all_kinds);
-  def(module, "inputs", &all_inputs);
-  def(module, "fitted_laws", &names_of_laws);
-  def(module, "fitted_programs", &programs_of_laws);
   def(module, "meets", {"first", "against"},
       [](const std::string& first, const std::string& against) { return meets(kind(first), kind(against)); });
   def(module, "series", {"name", "text"},
@@ -181,7 +124,6 @@ void bind_encounters(py::module_& module) {
   def(module, "who_meets_whom", &who_meets_whom);
   def(module, "note_of_staying", &note_of_staying);
   def(module, "note_of_a_plate", {"restitution"}, &note_of_a_plate);
-  def(module, "units", {"kind", "si"}, &units);
   def(module, "check_solid", {"kind", "numbers"},
       [](const std::string& of, const Values& numbers) { (void)maker(kind(of).solid(numbers)); });
   def(module, "check_wall", {"hardness", "strength"}, [](double hardness, double strength) {

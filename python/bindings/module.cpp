@@ -107,6 +107,7 @@ PYBIND11_MODULE(_core, module) {
   pybind11::register_exception_translator(&stoss::python::translate);
   module.attr("quantities") = stoss::python::quantities();
   stoss::python::bind_encounters(module);
+  stoss::python::bind_lists(module);
   stoss::python::bind_impacts(module);
   stoss::python::bind_restitution(module);
   stoss::python::bind_oblique_impacts(module);

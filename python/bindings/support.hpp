@@ -23,6 +23,7 @@ namespace stoss::python {
 namespace py = pybind11;
 
 void bind_encounters(py::module_& module);
+void bind_lists(py::module_& module);
 void bind_impacts(py::module_& module);
 void bind_restitution(py::module_& module);
 void bind_oblique_impacts(py::module_& module);

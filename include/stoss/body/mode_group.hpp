@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "stoss/cxx20.hpp"
+
 namespace stoss {
 
 /// Kept modes that move the surface in the same two shapes, as a structure of arrays over the index l: for a disk

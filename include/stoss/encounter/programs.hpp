@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "stoss/cxx20.hpp"
+
 namespace stoss {
 
 /// A force law or rule whose constants are fitted to elasticity, as faces name and explain it.

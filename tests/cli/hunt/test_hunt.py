@@ -12,7 +12,7 @@ from judged import judge, run
 KNOWN = []
 
 # Options of every command that do not change what is computed.
-PLAIN = {"help", "quiet", "output", "resume", "threads", "trajectory", "every", "format"}
+PLAIN = {"help", "quiet", "quick", "output", "resume", "threads", "trajectory", "every", "format"}
 # Those that follow from the kinds or that a command must have.
 DRAWN = {"body", "poisson", "rigid-body", "loss-time", "quality", "relaxation", "young-is", "material", "radius", "inner", "young", "density", "length", "area",
          "plane", "against", "speed", "height", "angle", "tangential", "friction", "mode", "flight-time",
