@@ -21,13 +21,13 @@ from stoss.export._files import write_lines
 from stoss.export._tables import brief_range
 from stoss.results._progress import waiting
 from stoss.results._result import Column, picture
-from stoss.results._si import Evaluated, told_in_c, warn_at
+from stoss.results._si import Coded, told_in_c, warn_at
 
 BEYOND = ("error", "clamp", "law")
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class RestitutionFunction(Evaluated):
+class RestitutionFunction(Coded):
     """ε as a function of the speed: call it with speeds, get values.
 
     Between computed values it is a cubic in ln v that rises and falls only as they do. Speeds are
@@ -116,24 +116,6 @@ class RestitutionFunction(Evaluated):
             >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3), beyond="clamp").to_c("restitution.h")
         """
         self._write_code("c_header", path, name)
-
-    @documented
-    def to_rust(self, path: str | os.PathLike[str], *, name: str = "stoss") -> None:
-        """Write the function as a module of Rust with the functions of `to_c`; it needs nothing else.
-
-        Parameters:
-            name: Prefix of the names in Rust.
-        """
-        self._write_code("rust_module", path, name)
-
-    @documented
-    def to_js(self, path: str | os.PathLike[str], *, name: str = "stoss") -> None:
-        """Write the function as a module of JavaScript that exports the functions of `to_c`.
-
-        Parameters:
-            name: Prefix of the names in JavaScript.
-        """
-        self._write_code("js_module", path, name)
 
     @documented
     def to_two_column(self, path: str | os.PathLike[str], *, error: float | None = None) -> None:

@@ -22,13 +22,13 @@ from stoss.export._files import write_lines
 from stoss.export._tables import brief_range
 from stoss.results._collided import Motion, collided
 from stoss.results._result import Column
-from stoss.results._si import Evaluated, in_c
+from stoss.results._si import Coded, in_c
 
 Array = NDArray[np.float64]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class CollisionRule(Evaluated):
+class CollisionRule(Coded):
     """What a collision with friction does, as a function: ε_n and s′, and velocities and spins after.
 
     s = v_t + Ω₁R₁ + Ω₂R₂ is the velocity at which the first body's point of contact slides over the
@@ -166,24 +166,6 @@ class CollisionRule(Evaluated):
             >>> rule.to_c("rule.h")
         """
         self._write_code("c_header", path, name)
-
-    @documented
-    def to_rust(self, path: str | os.PathLike[str], *, name: str = "stoss") -> None:
-        """Write the rule as a module of Rust with the functions of `to_c`; it needs nothing else.
-
-        Parameters:
-            name: Prefix of the names in Rust.
-        """
-        self._write_code("rust_module", path, name)
-
-    @documented
-    def to_js(self, path: str | os.PathLike[str], *, name: str = "stoss") -> None:
-        """Write the rule as a module of JavaScript that exports the functions of `to_c`.
-
-        Parameters:
-            name: Prefix of the names in JavaScript.
-        """
-        self._write_code("js_module", path, name)
 
     @documented
     def to_json(self, path: str | os.PathLike[str]) -> None:

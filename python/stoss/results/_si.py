@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import dataclasses
+import os
 import warnings
 from typing import Any, Callable, Iterator, TypeVar
 
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import broadcast, numbers, refusal
+from stoss._documentation import documented
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss.bodies._encounter import material_warnings_of, yield_speed_of
 from stoss.bodies._material import Material
@@ -89,6 +91,28 @@ class Evaluated(SpeedInSi):
 
     def __getstate__(self) -> dict[str, Any]:
         return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
+
+
+class Coded(Evaluated):
+    """A table that is written as source code: the names in C are those of `to_c`."""
+
+    @documented
+    def to_rust(self, path: str | os.PathLike[str], *, name: str = "stoss") -> None:
+        """Write a module of Rust with the functions of `to_c`; it needs nothing else.
+
+        Parameters:
+            name: Prefix of the names in Rust.
+        """
+        self._write_code("rust_module", path, name)
+
+    @documented
+    def to_js(self, path: str | os.PathLike[str], *, name: str = "stoss") -> None:
+        """Write a module of JavaScript that exports the functions of `to_c`.
+
+        Parameters:
+            name: Prefix of the names in JavaScript.
+        """
+        self._write_code("js_module", path, name)
 
     def _write_code(self, language: str, path: Any, name: Any) -> None:
         """Source code: `c_header`, `rust_module` or `js_module`. The file appears whole or not at all."""
