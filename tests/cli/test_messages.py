@@ -5,6 +5,7 @@ import json
 import os
 import pty
 import re
+import select
 import struct
 import subprocess
 import termios
@@ -22,13 +23,12 @@ def on_a_terminal(words, columns):
     ours, theirs = pty.openpty()
     fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
     with subprocess.Popen([os.environ["STOSS"], *words], stdout=theirs) as process:
+        text, ended = b"", False
+        while not ended:  # our end of the terminal stays open, as what is in it can be lost when its last one closes
+            ended = process.poll() is not None
+            while select.select([ours], [], [], 0.02)[0]:
+                text += os.read(ours, 65536)
         os.close(theirs)
-        text = b""
-        try:
-            while part := os.read(ours, 65536):
-                text += part
-        except OSError:  # the other side is closed
-            pass
         os.close(ours)
     assert process.returncode == 0
     return text.decode().replace("\r\n", "\n")

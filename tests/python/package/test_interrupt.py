@@ -133,7 +133,7 @@ def test_what_is_done_is_kept(poisson, monkeypatch):
                 signal.raise_signal(signal.SIGINT)
 
     with monkeypatch.context() as patched, pytest.raises(stoss.Interrupted) as caught:
-        patched.setattr(stoss.results._restitution, "bar", lambda *_: Bar())
+        patched.setattr("stoss.results._restitution.bar", lambda *_: Bar())
         stoss.restitution(poisson=poisson, speed=speeds, tolerance=1e-3)
     assert isinstance(caught.value, KeyboardInterrupt)
     best = caught.value.best
