@@ -87,8 +87,8 @@ def test_the_size_is_that_of_the_arrays(hit, monkeypatch):
     rows = sum(getattr(path, name).nbytes for name in path._table())
     points = sum(column.nbytes for name, column in field._table().items() if name in ("x", "y", "von_mises"))
     for call, size in ((hit.trajectory, rows), (lambda: hit.field(time=[1.0, 2.0], radius=THOUSAND), points)):
-        monkeypatch.setattr(stoss._arguments, "LARGEST", 0.9 * size)
+        monkeypatch.setattr("stoss._arguments.LARGEST", 0.9 * size)
         with pytest.raises(stoss.InvalidInput, match="GB, allowed"):
             call()
-        monkeypatch.setattr(stoss._arguments, "LARGEST", 6.0 * size)
+        monkeypatch.setattr("stoss._arguments.LARGEST", 6.0 * size)
         call()
