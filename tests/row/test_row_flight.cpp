@@ -11,11 +11,12 @@
 #include "stoss/restitution.hpp"
 #include "stoss/row/curve.hpp"
 #include "stoss/row/row.hpp"
+#include "support/rows.hpp"
 
 namespace stoss {
 namespace {
 
-using Speeds = std::vector<double>;
+using test::Speeds;
 
 const std::vector<RelaxationTerm> terms{{0.3, 1.0}, {0.2, 10.0}};
 
