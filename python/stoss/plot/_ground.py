@@ -2,29 +2,36 @@
 
 from __future__ import annotations
 
-from typing import Any, Sequence
+from typing import Any, NamedTuple, Sequence
 
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from stoss import _core
+from stoss.bodies._encounter import encounter
 from stoss.bodies._walls import UNBOUNDED, lower_face
 from stoss.plot import _style
 from stoss.results import _replay
 from stoss.results._field import Field
 from stoss.results._computed_impact import ComputedImpact
-from stoss.results._replay import Surface as Surface
 
 Array = NDArray[np.float64]
 
 WALL = 0.12  # thickness of what is drawn as the wall, R, and of a half-space below the deepest point
 THICK = 0.5  # a plate of which the lower face is not drawn, R
 MARGIN = 0.05  # below a plate, R
-
-
 LOOK: dict[str, Any] = {"facecolor": "0.8", "edgecolor": "none", "zorder": 1.0}
+
+
+class Surface(NamedTuple):
+    """The surface of a half-space or a plate at several times, R."""
+
+    y: Array
+    x: Array  # times × places
+    lower: Array | None  # of the lower face, where one is near
 
 
 def gives_way(impact: ComputedImpact) -> bool:
@@ -32,9 +39,24 @@ def gives_way(impact: ComputedImpact) -> bool:
     return isinstance(impact.against, UNBOUNDED)
 
 
-def surface(impact: ComputedImpact, times: Array, reach: float) -> Surface | None:
-    """That of the half-space or the plate that is met, if there is one."""
-    return _replay.surface(impact, times, reach) if gives_way(impact) else None
+def surface(impact: ComputedImpact, times: ArrayLike, reach: float) -> Surface | None:
+    """Where the surface of what gives way is at some times: places y, −reach to reach, times × places x, in R.
+
+    The upper face is moved by the kept modes alone.
+    """
+    if not gives_way(impact):
+        return None
+    rising, made = _replay.Rising(np.ravel(times)), impact._contact()
+    frames = _core.motion(made, impact._handle, rising.times)
+    lateral, *faces = _core.surfaces(encounter(impact.body, impact.against), made, impact._handle, frames, reach, 256)
+
+    def both_sides(face: Array) -> Array:
+        x = rising.placed(face)
+        return np.concatenate((x[:, ::-1], x), axis=1)
+
+    upper, lower = (None if face is None else both_sides(face) for face in faces)
+    assert upper is not None
+    return Surface(np.concatenate((-lateral[::-1], lateral)), upper, lower)
 
 
 def thickness(fields: Sequence[Field]) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -97,33 +97,6 @@ def state_after(self: ComputedImpact, *, flight: float) -> NDArray[Any]:
         True
     """
     return self._handle.vibration_after(self._contact(), number("flight", flight))
-
-
-class Surface(NamedTuple):
-    """The surface of a half-space or a plate at several times, R."""
-
-    y: NDArray[np.float64]
-    x: NDArray[np.float64]  # times × places
-    lower: NDArray[np.float64] | None  # of the lower face, where one is near
-
-
-def surface(impact: ComputedImpact, time: Any, reach: float) -> Surface:
-    """Where the surface of a half-space or a plate is at some times: places y, −reach to reach, times × places x, in R.
-
-    The upper face is moved by the kept modes alone.
-    """
-    rising, made = Rising(numbers("time", time).ravel()), impact._contact()
-    frames = _core.motion(made, impact._handle, rising.times)
-    meeting = encounter(impact.body, impact.against)
-    lateral, *faces = _core.surfaces(meeting, made, impact._handle, frames, reach, 256)
-
-    def both_sides(face: NDArray[np.float64]) -> NDArray[np.float64]:
-        x = rising.placed(face)
-        return np.concatenate((x[:, ::-1], x), axis=1)
-
-    upper, lower = (None if face is None else both_sides(face) for face in faces)
-    assert upper is not None
-    return Surface(np.concatenate((-lateral[::-1], lateral)), upper, lower)
 
 
 def require_replay(impact: ComputedImpact, name: str, times: int, each: float, once: float, got: str) -> None:

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 import stoss
-from stoss.results import _replay
+from stoss.plot import _ground
 
 BALL, ONE = stoss.Sphere(poisson=0.3), stoss.Disk(poisson=0.33)
 TWO = stoss.Disk(poisson=0.2, radius=2.0, young=3.0, density=2.0)
@@ -52,7 +52,7 @@ def test_field_of_both(pair):
 def test_ball_and_half_space_touch(on_block):
     now = on_block.contact_time / 2
     field = on_block.field(time=now)
-    y, x, _ = _replay.surface(on_block, now, 1.0)
+    y, x, _ = _ground.surface(on_block, now, 1.0)
     assert y == pytest.approx(-y[::-1]) and np.all(np.diff(y) > 0.0)
     edge = np.argmax(field.radius)
     inside = np.abs(field.y[edge]) < 0.8 * field.contact_half_width
@@ -60,7 +60,7 @@ def test_ball_and_half_space_touch(on_block):
     surface = np.interp(field.y[edge, inside], y, x[0])
     assert inside.sum() > 10 and np.abs(surface - field.x[edge, inside]).max() < 0.01
     assert np.interp(0.9, y, x[0]) - np.interp(0.9, field.y[edge, 90:150], field.x[edge, 90:150]) > 0.05
-    assert np.abs(_replay.surface(on_block, 0.0, 1.0)[1]).max() < 1e-12
+    assert np.abs(_ground.surface(on_block, 0.0, 1.0)[1]).max() < 1e-12
 
 
 def test_ledger_shows_what_the_half_space_took(on_block, closed):

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import stoss
-from stoss.results import _replay
+from stoss.plot import _ground
 
 pyplot = pytest.importorskip("matplotlib.pyplot")
 
@@ -114,7 +114,7 @@ def met():
 
 def test_surface_is_that_of_the_impact(met):
     time = 1.2 * met.contact_time
-    y, x, _ = _replay.surface(met, [time], 4.0)
+    y, x, _ = _ground.surface(met, [time], 4.0)
     side = y > 0.0
     wave = met.wave(time=time, distance=y[side], depth=[0.0])
     assert wave.normal[0] == pytest.approx(x[0][side], abs=2e-3 * np.abs(x).max())
@@ -137,7 +137,7 @@ def test_a_plate_moves_through_its_thickness():
     time = met.contact_time
     wave = met.wave(time=time)
     assert wave.depth[-1] == 0.5 and wave.distance.size == 121
-    y, upper, lower = _replay.surface(met, [time], 3.0)
+    y, upper, lower = _ground.surface(met, [time], 3.0)
     side = y > 0.0
     near = met.wave(time=time, distance=y[side], depth=[0.0, 0.5])
     size = np.abs(near.normal).max()
