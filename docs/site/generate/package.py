@@ -13,12 +13,14 @@ from tree import Tree
 PAGES = {
     "Restitution": "restitution Restitution with_error",
     "Bodies and walls": (
-        "Disk Sphere Rod ModalBody HalfSpace HalfPlane Plate Strip Layer HardWall ExponentialWall Body Wall"
+        "Disk Sphere HollowSphere Rod ModalBody HalfSpace HalfPlane Plate Strip Layer HardWall ExponentialWall Body Wall"
     ),
     "Materials": "Material Scales materials relaxation_of_measurement FittedRelaxation shifted",
     "Drop tests": "predict Prediction Influence",
+    "Calibration": "calibrate Calibration CalibratedConstant",
     "Oblique impacts": "oblique ObliqueRestitution oblique_impact ObliqueImpact ObliqueTrajectory ObliqueLedger",
     "One impact": "impact Impact Trajectory Sound DiskField SphereField Field Wave",
+    "Pulses": "pulse Pulse Seismogram",
     "Modes": "modes Modes",
     "Bodies that vibrate": (
         "Oscillation restitution_distribution RestitutionDistribution bounce Bounces rod_chain RodChain"
@@ -35,7 +37,8 @@ ELSEWHERE = {"__version__", "plot", "animate", "quasistatic"}  # the modules hav
 
 # All other classes are what functions return: their constructors are of no use.
 MADE_BY_USERS = (
-    "Disk Sphere Rod ModalBody HalfSpace HalfPlane Plate Strip Layer HardWall ExponentialWall Material Oscillation Grid"
+    "Disk Sphere HollowSphere Rod ModalBody HalfSpace HalfPlane Plate Strip Layer HardWall ExponentialWall Material "
+    "Oscillation Grid"
 ).split()
 
 

@@ -1,11 +1,13 @@
 """help() explains every parameter of the public functions, shared words are not said twice, and the examples in the
 docstrings run and give what they say."""
 
+import ast
 import doctest
 import importlib
 import inspect
 import pkgutil
 import re
+from pathlib import Path
 
 import matplotlib
 import matplotlib.pyplot as plt
@@ -93,3 +95,11 @@ def test_every_public_function_has_an_example(module):
         thing = getattr(shown, name)
         if callable(thing) and getattr(thing, "__module__", "").startswith("stoss") and name[0].islower():
             assert ">>>" in (thing.__doc__ or ""), name
+
+
+def test_every_public_name_is_on_one_page_of_the_site():
+    source = (Path(__file__).resolve().parents[3] / "docs/site/generate/package.py").read_text()
+    pages, elsewhere = (ast.literal_eval(each.value) for each in ast.parse(source).body
+                        if isinstance(each, ast.Assign) and each.targets[0].id in ("PAGES", "ELSEWHERE"))  # fmt: skip
+    names = [name for page in pages.values() for name in page.split()]
+    assert sorted([*names, *elsewhere]) == sorted(stoss.__all__)
