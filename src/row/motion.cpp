@@ -1,6 +1,7 @@
 #include "row/motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -127,7 +128,7 @@ void RowMotion::advance(double until) {
 double RowMotion::left_at(std::size_t k) const {
   constexpr double given_back = 0.3;  // of what a vibration could move its bodies by, at most
   const MadeRow::Joint& joint = row_.joints[k];
-  const RowSolid* bodies[] = {body(joint.one), body(joint.other)};
+  const std::array<const RowSolid*, 2> bodies{body(joint.one), body(joint.other)};
   double lightest = std::numeric_limits<double>::infinity(), vibration = 0.0;
   for (const RowSolid* each : bodies) {
     if (each == nullptr) continue;

@@ -51,7 +51,7 @@ class Solid:
         rigid (bool, optional): Young's modulus is infinite, and the given one is only a unit (see
             `Material.of_rigid`). The body keeps its mass. It meets elastic ones.
         extra_mass (float, optional): Mass fixed to a sphere that moves as it does on average, as that
-            of a hammer behind its ball: kg with a material, else `density` × `radius`³. No mode feels it.
+            of a hammer behind its ball: kg with a material, else `density` · R³. No mode feels it.
     """
 
     _kind: ClassVar[str]

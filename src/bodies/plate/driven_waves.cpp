@@ -1,5 +1,6 @@
 #include "bodies/plate/driven_waves.hpp"
 
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -57,7 +58,7 @@ STOSS_MULTIVERSION void turn(std::size_t count, const double* turn_cos, const do
 /// Σ weight · value in four sums that are added at the end.
 STOSS_MULTIVERSION double product(std::size_t count, const double* weight, const double* value) {
   constexpr std::size_t lanes = 4;
-  double sum[lanes] = {};
+  std::array<double, lanes> sum{};
   std::size_t l = 0;
   for (; l + lanes <= count; l += lanes) {
     for (std::size_t lane = 0; lane < lanes; ++lane) sum[lane] += weight[l + lane] * value[l + lane];

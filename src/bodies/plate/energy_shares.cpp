@@ -21,8 +21,7 @@ std::vector<double> energy_shares(const Sheets& sheets, double wave_number, doub
     sum += shares[kind];
   }
   // A wave at the other face, which moves this one by less than rounding, has them alike.
-  if (!std::isnormal(sum)) return std::vector<double>(kinds, 1.0 / static_cast<double>(kinds));
-  for (double& share : shares) share /= sum;
+  for (double& share : shares) share = std::isnormal(sum) ? share / sum : 1.0 / static_cast<double>(kinds);
   return shares;
 }
 

@@ -28,8 +28,8 @@ void require_one(const Losses& its) {
 }
 
 Losses of_material(const Material& its) {
-  const Losses made{its.loss_time.value_or(0.0), its.quality.value_or(0.0), its.frequency,
-                    its.relaxation.value_or(Relaxation{})};
+  Losses made{its.loss_time.value_or(0.0), its.quality.value_or(0.0), its.frequency,
+              its.relaxation.value_or(Relaxation{})};
   require_one(made);
   return made;
 }
@@ -74,7 +74,8 @@ std::vector<Losses> losses_of_layers(const Participant& of) {
   const std::size_t count = of.below.size() + 1;
   if (const auto own = own_losses(of)) {
     require_valid(of, *own);
-    return std::vector<Losses>(count, *own);
+    std::vector<Losses> all(count, *own);
+    return all;
   }
   if (of.rigid) return std::vector<Losses>(count);
   std::vector<Losses> all;

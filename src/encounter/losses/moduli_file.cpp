@@ -48,7 +48,7 @@ Column column_of(const std::string& where, const std::string& title) {
       {"lossmodulus", {loss}},  {"tandelta", {tangent}},          {"tan(delta)", {tangent}}};
   static const std::vector<std::pair<std::string, double>> units{
       {"Pa", 1.0}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}, {"Hz", turn}, {"kHz", 1e3 * turn}, {"rad/s", 1.0}};
-  const auto end = title.find_first_of("[");
+  const auto end = title.find('[');
   std::string name;
   for (const char c : title.substr(0, end)) {
     if (c != ' ' && c != '_') name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -81,6 +81,7 @@ bool has(const std::vector<Column>& columns, const std::string& where, Column::O
 
 std::vector<Column> header_of(const std::string& where, const std::vector<std::string>& titles) {
   std::vector<Column> columns;
+  columns.reserve(titles.size());
   for (const std::string& title : titles) columns.push_back(column_of(where, title));
   using enum Column::Of;
   const bool tangents = has(columns, where, tangent), losses = has(columns, where, loss);
