@@ -190,7 +190,7 @@ Impact Collision::result() const {
   ledger.translation = translation() / initial_energy_;
   ledger.unresolved = response_->unresolved_energy() / initial_energy_;
   ledger.stored = response_->stored_energy() / initial_energy_;
-  const std::vector<double> after = modes_.energies(), ringing = rings.energies();
+  const std::vector<double> after = modes_.energies(), ringing = lossy_ ? rings.energies() : after;
   const std::vector<double> during = modes_.accumulated_energy();
   const double samples = history_.samples();
   ledger.modes.reserve(after.size());

@@ -129,7 +129,26 @@ TEST(RestitutionOnAHalfSpace, DoesNotDependOnUnits) {
   const Restitution in_ratios = restitution(ball_on(ratios), speed);
   EXPECT_NEAR(in_si.lost_fraction.value, in_ratios.lost_fraction.value, 1e-9);
   EXPECT_NEAR(in_si.lost_fraction.value, 0.0085314, in_si.lost_fraction.error + 7.5e-6);
-  EXPECT_NEAR(in_si.contact_time.value * scales(steel).time, 46.0e-6, 0.1e-6);
+  // With cutoffs up to 22.6: 45.978 µs, to half a step at either end of 0.025 µs.
+  const double unit = scales(steel).time;
+  EXPECT_NEAR(in_si.contact_time.value * unit, 45.978e-6, in_si.contact_time.error * unit);
+  EXPECT_LT(in_si.contact_time.error * unit, 0.4e-6);
+  const Restitution finer = restitution(ball_on(ratios), speed, {.tolerance = 1e-4});
+  EXPECT_NEAR(finer.contact_time.value * unit, 46.0e-6, 0.1e-6);
+}
+
+// Slow impacts last longer, and lower cutoffs are as fine for them. Those of a body that loses energy are not.
+TEST(RestitutionOnAHalfSpace, BeginsLowerWhereItLastsLonger) {
+  const auto first = [](const RefinableContact& contact, double speed) {
+    return restitution(contact, speed, {.tolerance = 1e-2}).runs.front().cutoff / contact.cutoff(0);
+  };
+  const RefinableContact ball = ball_on({0.3});
+  EXPECT_DOUBLE_EQ(first(ball, 0.1), 1.0);
+  EXPECT_DOUBLE_EQ(first(ball, 0.01), std::exp2(-0.5));
+  EXPECT_DOUBLE_EQ(first(ball, 1e-4), std::exp2(-0.75));
+  EXPECT_DOUBLE_EQ(first(ball, 1e-6), std::exp2(-0.75));
+  EXPECT_DOUBLE_EQ(first(ball_on({.poisson = 0.3, .loss_time = 0.1}), 0.01), 1.0);
+  EXPECT_DOUBLE_EQ(first(RefinableContact(sphere(0.3)), 1e-4), 1.0);
 }
 
 TEST(RestitutionOnAHalfSpace, ClosesItsLedger) {

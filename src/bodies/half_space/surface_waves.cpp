@@ -144,10 +144,12 @@ SurfaceWaves waves_of(const Medium& medium, double wave_number, double weight, d
       waves.omega.push_back(std::min(unit * x, cutoff));  // rounding
       waves.strength.push_back(compliance * unit * unit * share);
     };
-    if (spectrum.rayleigh_weight > 0.0) keep(medium.kernel.rayleigh_root, spectrum.rayleigh_weight);
     const double end = cutoff / unit;
     const Continuum its{medium.kernel, spectrum};
     const Piece kept = its.up_to(end, unit * time);
+    waves.omega.reserve(waves.omega.size() + 1 + kept.x.size());
+    waves.strength.reserve(waves.strength.size() + 1 + kept.x.size());
+    if (spectrum.rayleigh_weight > 0.0) keep(medium.kernel.rayleigh_root, spectrum.rayleigh_weight);
     for (std::size_t i = 0; i < kept.x.size(); ++i) keep(kept.x[i], kept.weight[i]);
     const Rest rest = its.beyond(end);
     waves.residual_compliance += compliance * rest.compliance;

@@ -36,21 +36,27 @@ void for_wave_numbers(double begin, double end, double farthest, const Visit& vi
 /// Points that are equally spaced in angle lie closer to each other the further out they are: each pair has the wave
 /// numbers that its own distance resolves. High ones add C cos(kΔr)/k, so the change from the common end K is
 /// C [Ci(π|i−j|) − Ci(KΔr)], of a point by itself −C ln cos α.
+/// @param distance of each point from the axis
 /// @param visit receives i, j ≤ i, and the bracket
 template <typename Visit>
-void for_pairs_beyond(const ContactPoints& points, double highest, const Visit& visit) {
+void for_pairs_beyond(const ContactPoints& points, const std::vector<double>& distance, double highest,
+                      const Visit& visit) {
   std::vector<double> wanted{0.0};
   for (std::size_t k = 1; k < points.count; ++k) {
     wanted.push_back(numeric::cosine_integral(std::numbers::pi * static_cast<double>(k)));
   }
   for (std::size_t i = 0; i < points.count; ++i) {
     visit(i, i, -std::log(std::cos(points.angle(i))));
-    const double here = lateral_distance(points, i);
     for (std::size_t j = 0; j < i; ++j) {
-      const double apart = here - lateral_distance(points, j);
-      visit(i, j, wanted[i - j] - numeric::cosine_integral(highest * apart));
+      visit(i, j, wanted[i - j] - numeric::cosine_integral(highest * (distance[i] - distance[j])));
     }
   }
+}
+
+std::vector<double> lateral_distances(const ContactPoints& points) {
+  std::vector<double> all(points.count);
+  for (std::size_t i = 0; i < points.count; ++i) all[i] = lateral_distance(points, i);
+  return all;
 }
 
 using Matrix = numeric::SymmetricProducts::Matrix;
@@ -60,9 +66,7 @@ using Eigen::Index;
 class ShapeProducts {
  public:
   ShapeProducts(const MediumSurface& medium, const ContactPoints& points, const Poll& poll)
-      : medium_(medium), distance_(points.count), products_(points.count, poll) {
-    for (std::size_t i = 0; i < points.count; ++i) distance_[i] = lateral_distance(points, i);
-  }
+      : medium_(medium), distance_(lateral_distances(points)), products_(points.count, poll) {}
 
   void add(double wave_number, double weight) {
     products_.start();
@@ -91,12 +95,13 @@ class ShapeProducts {
 std::vector<double> values(const Matrix& matrix) { return {matrix.data(), matrix.data() + matrix.size()}; }
 
 void resolve_each_pair(const MediumSurface& medium, const ContactPoints& points, double highest, Matrix& sum) {
+  const std::vector<double> distance = lateral_distances(points);
   const auto strength = [&](std::size_t i, std::size_t j) {
     const double line = medium.softness / std::numbers::pi;
     if (medium.contour == Contour::cylinder) return line;
-    return line / (std::numbers::pi * std::sqrt(lateral_distance(points, i) * lateral_distance(points, j)));
+    return line / (std::numbers::pi * std::sqrt(distance[i] * distance[j]));
   };
-  for_pairs_beyond(points, highest, [&](std::size_t i, std::size_t j, double change) {
+  for_pairs_beyond(points, distance, highest, [&](std::size_t i, std::size_t j, double change) {
     const auto row = static_cast<Index>(i), column = static_cast<Index>(j);
     sum(row, column) += strength(i, j) * change;
     sum(column, row) = sum(row, column);
@@ -156,12 +161,10 @@ class PlaneProducts {
       : medium_(medium),
         parity_(parity),
         points_(static_cast<Index>(points.count)),
-        distance_(points.count),
+        distance_(lateral_distances(points)),
         along_(Eigen::RowVectorXd::Zero(2 * points_)),
         across_(Eigen::RowVectorXd::Zero(2 * points_)),
-        products_(2 * points.count, poll) {
-    for (std::size_t i = 0; i < points.count; ++i) distance_[i] = lateral_distance(points, i);
-  }
+        products_(2 * points.count, poll) {}
 
   void add(double wave_number, const Flexibility& response) {
     const bool even = parity_ == Parity::normal_even;
@@ -207,8 +210,9 @@ std::vector<double> values_of(const Block& matrix) { return {matrix.data(), matr
 /// High wave numbers add C cos(kΔr)/k to both directions by themselves; what they add to the mixed response,
 /// C sin(kΔr)/k, hardly changes.
 void resolve_pairs_in_plane(const MediumSurface& medium, const ContactPoints& points, double highest, Block& sum) {
-  for_pairs_beyond(points, highest, [&](std::size_t i, std::size_t j, double change) {
-    const double rings = std::numbers::pi * std::sqrt(lateral_distance(points, i) * lateral_distance(points, j));
+  const std::vector<double> distance = lateral_distances(points);
+  for_pairs_beyond(points, distance, highest, [&](std::size_t i, std::size_t j, double change) {
+    const double rings = std::numbers::pi * std::sqrt(distance[i] * distance[j]);
     const double spread = medium.contour == Contour::ball ? rings : 1.0;
     for (const std::size_t component : {std::size_t{0}, points.count}) {
       const auto row = static_cast<Index>(component + i), column = static_cast<Index>(component + j);

@@ -28,10 +28,11 @@ Surface surface_of(const MediumSurface& medium, const std::vector<SurfaceWaves>&
     surface.measure.push_back(measure_of(medium, points, i));
     surface.impedance.push_back(surface.measure.back() * medium.leaving_speed);
   }
+  std::vector<double> distance(points.count);
+  for (std::size_t i = 0; i < points.count; ++i) distance[i] = lateral_distance(points, i);
+  surface.shape.reserve(all.size() * points.count);
   for (const SurfaceWaves& waves : all) {
-    for (std::size_t i = 0; i < points.count; ++i) {
-      surface.shape.push_back(medium.shape(waves.wave_number * lateral_distance(points, i)));
-    }
+    for (const double each : distance) surface.shape.push_back(medium.shape(waves.wave_number * each));
   }
   return surface;
 }
@@ -102,14 +103,17 @@ Body unbounded_body(const MediumSurface& medium, double cutoff, double loss_time
 }
 
 void set_waves(const MediumSurface& medium, std::vector<SurfaceWaves> kept, double highest_kept, Body& body) {
-  const auto waves = std::make_shared<const std::vector<SurfaceWaves>>(std::move(kept));
-  for (const SurfaceWaves& each : *waves) {
+  for (SurfaceWaves& each : kept) {
     const std::size_t row = body.groups.size();
-    ModeGroup group{static_cast<int>(row), each.omega, {}, std::vector<double>(each.omega.size()), row, row, {},
-                    each.wave_number,      each.moduli};
+    ModeGroup group{
+        static_cast<int>(row), {}, {}, std::vector<double>(each.omega.size()), row, row, {}, each.wave_number,
+        std::move(each.moduli)};
+    group.omega = std::move(each.omega);  // nothing asks the waves for it any more
+    group.upper.reserve(each.strength.size());
     for (const double strength : each.strength) group.upper.push_back(std::sqrt(strength));
     body.groups.push_back(std::move(group));
   }
+  const auto waves = std::make_shared<const std::vector<SurfaceWaves>>(std::move(kept));
   body.surface = [medium, waves](const ContactPoints& points) { return surface_of(medium, *waves, points); };
   const auto residual = std::make_shared<const WaveResidual>(medium, kept_cutoff(body), highest_kept, waves);
   body.stable_step = residual->stable_step();

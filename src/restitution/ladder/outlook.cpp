@@ -5,6 +5,7 @@
 
 #include "check.hpp"
 #include "contact/touch.hpp"
+#include "restitution/few_modes.hpp"
 
 namespace stoss {
 namespace {
@@ -42,6 +43,16 @@ double wanted_error(const Restitution& result) {
 Reached reached(const Restitution& result) {
   const double scale = is_vibrating(result) ? 1.0 : std::abs(result.lost_fraction.value);
   return {result.runs.back().cutoff, result.lost_fraction.error / scale};
+}
+
+int levels_below(const Contact& contact, double stretch) {
+  // Half as many octaves as the contact lasts longer, in levels of a quarter. As many octaves, or more levels, are too
+  // many: three runs may agree by chance where the tail takes nothing. What lossy bodies lose needs all cutoffs, and
+  // bodies that are known at a point have levels of their own (RefinableContact::levels).
+  constexpr int most = 3;
+  if (!contact.unbounded || contact.keeps_displacement || loses(contact) || has_few_modes(contact)) return 0;
+  const int longer = static_cast<int>(std::lround(4.0 * std::log2(stretch)));
+  return std::clamp((longer - 1) / 2, 0, most);
 }
 
 int second_rung(const Contact& contact) {

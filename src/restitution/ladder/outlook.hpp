@@ -28,6 +28,10 @@ struct Reached {
 /// Error of 1 − ε² with which a result counts as converged.
 [[nodiscard]] double wanted_error(const Restitution& result);
 
+/// By how many levels the first run lies below the usual one: on a half-space, where slow impacts last longer and lose
+/// at lower frequencies. @param stretch of the half-space (RefinableContact::stretch)
+[[nodiscard]] int levels_below(const Contact& contact, double stretch);
+
 /// Rungs from the first run to the second: few waves are enough on a half-space, and at the circle where a ball
 /// touches.
 [[nodiscard]] int second_rung(const Contact& contact);
