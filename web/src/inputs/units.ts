@@ -67,9 +67,10 @@ function ofModulus(choice: Choice, body: Body, ratio: number): Body {
 
 /** Such bodies in SI: the first becomes the ball of a bearing, and a second one keeps its ratios to the first. */
 export function withSi(inputs: Inputs): Inputs {
-  const { first: _, second, ...choice } = meetingOf(inputs.encounter);
+  const { first, second, ...choice } = meetingOf(inputs.encounter);
   if (choice.si) return inputs;
   const si: Choice = { ...choice, si: true, plane: 'stress' };
+  const its = { ...ball, inner: first.body.inner };
   const { poisson, loss_time, quality, relaxation } = ball;
   const { time, modulus } = unitsOf(encounterOf({ ...si, against: 'wall' }, ball));
   const unitOf = (name: NumberField): number => unitOfFace(name, ball[sizeOf(choice.kind)], modulus!) ?? ball[name];
@@ -79,7 +80,7 @@ export function withSi(inputs: Inputs): Inputs {
       : { poisson: Math.min(body.poisson, poisson), loss_time: rounded(body.loss_time * time, 6) }),
   });
   const [spin, second_spin] = [inputs.spin, inputs.second_spin].map((each) => rounded(each / time, 6)) as [number, number];
-  return { ...inputs, encounter: encounterOf(si, ball, second && ofModulus(si, inSi(second.body), second.body.young)), speed: siSpeed, spin, second_spin };
+  return { ...inputs, encounter: encounterOf(si, its, second && ofModulus(si, inSi(second.body), second.body.young)), speed: siSpeed, spin, second_spin };
 }
 
 /** In c of the first body. */
