@@ -14,7 +14,7 @@ if [ "$what" = native ]; then
   core=build/native/core npm=build/native/npm
   mkdir -p $core
   cp tests/page_core/stoss.mjs $core
-  printf '\0asm\1\0\0\0' | tee $core/first.wasm >$core/stoss.wasm  # empty modules
+  printf '\0asm\1\0\0\0' | tee $core/{first,page}.wasm >$core/stoss.wasm  # empty modules
 else
   core=build/wasm npm=build/npm
   mkdir -p $core
@@ -22,7 +22,7 @@ else
   # Debian's Emscripten looks for its modules of Node.js there, and for the Python that it was made for.
   export NODE_PATH=${NODE_PATH:-/usr/share/nodejs} EMSDK_PYTHON=${EMSDK_PYTHON:-/usr/bin/python3}
   { emcmake cmake -G Ninja -S web/core -B $core -DCMAKE_BUILD_TYPE=Release -DSTOSS_WERROR=ON &&
-    cmake --build $core -j "$jobs" --target stoss_web stoss_first; } >$core/log 2>&1 || { cat $core/log >&2; exit 1; }
+    cmake --build $core -j "$jobs" --target stoss_web stoss_page stoss_first; } >$core/log 2>&1 || { cat $core/log >&2; exit 1; }
 fi
 
 (cd web
@@ -33,7 +33,7 @@ fi
  node plugins/kinds.mjs ../$core  # what the core knows of bodies, for types and texts
  rm -rf ../$npm
  npx tsc -p package --outDir ../$npm)
-cp "$core/stoss.mjs" "$core"/{first,stoss}.wasm web/package/README.md LICENSE $npm/
+cp "$core/stoss.mjs" "$core"/{first,page,stoss}.wasm web/package/README.md LICENSE $npm/
 # The version is that of CMakeLists.txt.
 version=$(sed -n 's/^project(stoss VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 node -e '

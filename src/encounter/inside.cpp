@@ -164,6 +164,9 @@ Interior mode_shape(const Solid& solid, int order, int index, const PolarGrid& p
     throw InvalidInput::conflict("mode",
                                  "no shape is known of a modal body, which is known at its contact point alone");
   }
+  if (std::holds_alternative<HollowSphere>(solid)) {
+    throw InvalidInput::conflict("mode", "no shape is computed of a hollow sphere, of which the outer face is known");
+  }
   constexpr double lowest = 8.0, highest = 400.0;
   const BodyMaker make = maker(solid);
   BodyFrame alone;

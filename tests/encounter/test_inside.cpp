@@ -130,6 +130,7 @@ TEST(ModeShape, HasTheMaximumOne) {
 TEST(ModeShape, RefusesWhatNoBodyKeeps) {
   EXPECT_THROW((void)mode_shape(Disk{.poisson = 0.3}, 0, 100000, around), InvalidInput);
   EXPECT_THROW((void)mode_shape(Rod{}, 7, 0, around), InvalidInput);
+  EXPECT_THROW((void)mode_shape(HollowSphere{.poisson = 0.3, .inner = 0.5}, 2, 0, around), InvalidInput);
 }
 
 }  // namespace

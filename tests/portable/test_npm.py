@@ -12,6 +12,7 @@ from conftest import OFFLINE, ROOT, VERSION, run
 
 PACKAGE = ROOT / "build/npm"
 TSC = ROOT / "web/node_modules/.bin/tsc"
+MODULES = ["first.wasm", "page.wasm", "stoss.wasm"]
 pytestmark = [
     pytest.mark.page,
     pytest.mark.skipif(
@@ -64,7 +65,7 @@ def test_what_is_packed(packed):
     with tarfile.open(packed) as archive:
         names = {member.name.removeprefix("package/") for member in archive}
         described = json.load(archive.extractfile("package/package.json"))
-    assert {"README.md", "LICENSE", "index.js", "index.d.ts", "node.js", "stoss.mjs", "stoss.wasm", "first.wasm"} <= names
+    assert {"README.md", "LICENSE", "index.js", "index.d.ts", "node.js", "stoss.mjs", *MODULES} <= names
     assert not [name for name in names if name.endswith(".ts") and not name.endswith(".d.ts")]
     assert (described["name"], described["version"]) == ("stoss", VERSION)
     assert not [key for key in described if key.endswith("ependencies") or key == "scripts"]
@@ -176,7 +177,7 @@ def test_the_page_is_made_of_the_package():
     built = sorted((ROOT / "build/web/assets").glob("*.wasm"))
     if not built:
         pytest.skip("the page is not built here")
-    assert [path.read_bytes() for path in built] == [(PACKAGE / name).read_bytes() for name in ("first.wasm", "stoss.wasm")]
+    assert [path.read_bytes() for path in built] == [(PACKAGE / name).read_bytes() for name in MODULES]
     assert (ROOT / "web/node_modules/stoss").resolve() == PACKAGE
     sources = "".join(path.read_text() for path in (ROOT / "web/src").rglob("*.ts"))
     assert "from 'stoss'" in sources and "stoss.mjs" not in sources

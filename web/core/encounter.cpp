@@ -26,6 +26,14 @@ val elastic(const Solid& solid, double unit) {
   return made;
 }
 
+/// With solid spheres in place of hollow ones, whose modes take a second where the shell is thin.
+Encounter without_holes(Encounter encounter) {
+  for (Participant* each : {&encounter.first, &encounter.against}) {
+    if (each->values.erase("inner") > 0) each->kind = "sphere";
+  }
+  return encounter;
+}
+
 val version(const Question&) { return val(std::string(stoss::version())); }
 
 /// Units of the first body, and the elastic numbers of both in these. @throws InvalidInput for what cannot meet
@@ -38,7 +46,7 @@ val units(const Question& asked) {
   if (meeting.of_file()) {
     (void)meeting.contact.at(0);
   } else if (meeting.second) {
-    (void)contact_of(meeting.encounter, fewest_modes, quick);
+    (void)contact_of(without_holes(meeting.encounter), fewest_modes, quick);
   }
   // A rod in SI keeps its numbers.
   const auto* rod = std::get_if<Rod>(&meeting.first);

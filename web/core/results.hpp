@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "questions.hpp"
 #include "stoss/impact/quantities.hpp"
@@ -57,8 +59,9 @@ emscripten::val answer(const Meeting& meeting, double speed, const emscripten::v
                      {"beyondSmallStrain", finest.beyond_small_strain}});
   if (const auto yield = yield_speed(meeting.encounter)) made.set("yieldSpeed", *yield);
   if (const std::string said = yield_warning(meeting.encounter, speed); !said.empty()) made.set("yieldWarning", said);
-  made.set("materialWarnings",
-           list(sound_warnings(meeting.encounter), [](const std::string& line) { return val(line); }));
+  std::vector<std::string> lines = shell_warnings(meeting.encounter, speed);
+  for (std::string& line : sound_warnings(meeting.encounter)) lines.push_back(std::move(line));
+  made.set("materialWarnings", list(lines, [](const std::string& line) { return val(line); }));
   return made;
 }
 

@@ -1,8 +1,6 @@
 // What the core knows of kinds, materials, quantities and documents.
-#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -23,6 +21,8 @@ static void to_json(Json& json, const Parameter& of) {
   json = {{"name", of.name}, {"unit", of.unit}, {"ofMaterial", of.of_material}, {"help", of.help}};
   if (of.default_value) json["otherwise"] = *of.default_value;
   if (std::isfinite(of.high)) json["most"] = of.high;
+  // The field shows the range of what must be given.
+  if (!of.of_material && !of.default_value && of.low_included) json["least"] = of.low;
 }
 
 /// What is no number of a body, but a list of them.
@@ -33,9 +33,6 @@ static Json relaxation() {
           {"otherwise", 0},
           {"help", "shares of the modulus E(0) that relax, and their times, as in 0.5:1+0.2:10"}};
 }
-
-/// Hollow spheres are not computed here (absent/shells.cpp).
-static bool is_here(const Kind& kind) { return kind.name != "hollow-sphere"; }
 
 static void to_json(Json& json, const Kind& kind) {
   json = {{"name", kind.name},           {"help", kind.help},
@@ -53,7 +50,7 @@ static void to_json(Json& json, const Kind& kind) {
   }
   if (!kind.wall) json["parameters"].push_back(relaxation());
   for (const Kind& other : kinds()) {
-    if (!other.wall && is_here(other) && meets(kind, other)) json["meets"].push_back(other.name);
+    if (!other.wall && meets(kind, other)) json["meets"].push_back(other.name);
   }
 }
 
@@ -115,9 +112,8 @@ std::vector<NamedMaterial> materials_of_qualities() {
 /// The table of kinds, the named materials and ranges of inputs, as JSON: web/plugins/kinds.mjs writes them for the
 /// page.
 val kinds(const Question&) {
-  std::vector<Kind> here;
-  std::copy_if(stoss::kinds().begin(), stoss::kinds().end(), std::back_inserter(here), is_here);
-  return val(Json{{"kinds", here}, {"materials", materials_of_qualities()}, {"ranges", ranges_of_motions()}}.dump());
+  return val(
+      Json{{"kinds", stoss::kinds()}, {"materials", materials_of_qualities()}, {"ranges", ranges_of_motions()}}.dump());
 }
 
 }  // namespace

@@ -52,8 +52,8 @@ export interface Restitution {
   yieldSpeed?: number;
   /** beyond that speed: how far, in one line, which the command prints as a warning */
   yieldWarning?: string;
-  /** what else the command warns of the materials: a loss that is off in contacts as long as this, samples that are not
-   *  sound */
+  /** what else the command warns of the materials: a shell that bends by more than its thickness, a loss that is off in
+   *  contacts as long as this, samples that are not sound */
   materialWarnings?: string[];
 }
 

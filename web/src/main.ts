@@ -29,10 +29,13 @@ import { createHops } from './scene/hop_film';
 import { createScene } from './scene/scene';
 
 const results = createResults();
-const loading = createCore(() => void loadPlot());
+let inputs = fromAddress(location.search).inputs;
+const loading = createCore(inputs.encounter, () => void loadPlot(), () => {
+  // What was taken for granted is known now.
+  if (ready && meetingOf(inputs.encounter).kind === 'hollow-sphere') controls.check();
+});
 /** The core, which can be asked before it is there. */
 const core = (async (...asked: Parameters<Core>) => (await loading)(...asked)) as Core;
-let inputs = fromAddress(location.search).inputs;
 let [ready, touched] = [false, false];
 /** What is computed, or under way; undefined after a failure. */
 let computed: Inputs | undefined;

@@ -59,7 +59,7 @@ export const noLoss = { loss_time: 0, quality: 0, relaxation: [] as Relaxation }
 
 /** A body that is its own unit, loses nothing and is smooth. */
 export const unitBody: Body = {
-  poisson: 0.33, young: 1, density: 1, radius: 1, length: 1, area: 1, thickness: 1, ...noLoss, ...bareFace,
+  poisson: 0.33, young: 1, density: 1, radius: 1, inner: 0.9, length: 1, area: 1, thickness: 1, ...noLoss, ...bareFace,
 };
 
 /** What SI begins with: a ball of a bearing of 1 cm. */

@@ -5,7 +5,7 @@ import { type Word, say } from '../drawing/words';
 import { ranges } from '../generated/kinds';
 import { type Body, isUnusual, meetingOf, meetsBody, noLoss, withBody } from './document';
 import { type Impact, type Inputs, dropOf, isOblique, speedOf, takesFriction } from './inputs';
-import { type BodyField, type Relaxation, blockOf, isFaceName, isLossName, kindNamed } from './kinds';
+import { type BodyField, type Relaxation, blockOf, isFaceName, isLossName, isShare, kindNamed } from './kinds';
 
 /** What is of the first body or of what it meets. */
 export type PlacedField = BodyField | `${BodyField}2`;
@@ -120,7 +120,7 @@ export const softCoat = ({ young }: Body): number => rounded(young / 100, 3);
 
 /** What a body is made of: its symbol, and its key in the address. */
 export const names: Record<BodyField, [symbol: string, key: string]> = {
-  poisson: ['ν', 'nu'], young: ['E', 'E'], density: ['ρ', 'rho'], radius: ['R', 'R'], length: ['L', 'R'],
+  poisson: ['ν', 'nu'], young: ['E', 'E'], density: ['ρ', 'rho'], radius: ['R', 'R'], inner: ['b', 'b'], length: ['L', 'R'],
   area: ['A', 'A'], thickness: ['h', 'h'], loss_time: ['η', 'eta'], quality: ['Q', 'Q'], relaxation: ['E(t)', 'relax'],
   roughness: ['h', 'rough'], coat: ['h', 'coat'], coat_young: ['E', 'Ec'], coat_poisson: ['ν', 'nuc'], coat_quality: ['Q', 'Qc'],
   yield_strength: ['Y', 'Y'],
@@ -149,15 +149,16 @@ export function wordsOf(encounter: Encounter, field: Field): Words {
   const { name: key, second } = place;
   const { hasPlane, length, parameters } = kindNamed(kind);
   const ofBlock = blockOf(kind, against)?.parameters ?? [];
-  const { help = '', unit = '' } = [...parameters, ...ofBlock].find((each) => each.name === key) ?? {};
+  const { help = '', unit = '', least, most } = [...parameters, ...ofBlock].find((each) => each.name === key) ?? {};
   const [symbol] = names[key];
   const name = say(si ? `field.${key}` : key === 'poisson' && hasPlane ? 'field.poisson_plane'
     : key === 'young' && second ? 'field.modulus' : `field.${key}`);
-  const ratio = second && !si && key !== 'poisson' && !isLossOrFace(field);
+  const ratio = second && !si && key !== 'poisson' && !isShare(key) && !isLossOrFace(field);
   const ownUnits: Record<string, string> = { s: `${length}/c`, m: length, Pa: 'E' };
   const ratioOf = parameters.some((each) => each.name === key) ? `${symbol}₂/${symbol}₁` : `${symbol}/${length}`;
   return {
-    name, label: `${name} ${ratio ? ratioOf : symbol}`, help,
+    name, label: `${name} ${ratio ? ratioOf : symbol}`,
+    help: least === undefined ? help : `${help}, ${say('field.range', { least, most: most! })}`,
     unit: si ? unitInWords(unit) : isLossOrFace(field) ? ownUnits[unit] ?? '' : '',
   };
 }

@@ -27,6 +27,8 @@ export interface Parameter {
   readonly otherwise?: number;
   /** which it may be, where the core limits it */
   readonly most?: number;
+  /** where it must be given */
+  readonly least?: number;
   readonly help: string;
 }
 
@@ -69,6 +71,12 @@ export function isBlock(against: string): against is Block {
 export function blockOf(kind: BodyKind, against: string): Kind | undefined {
   return isBlock(against) ? blocksOf(kind)[blocks.indexOf(against)] : undefined;
 }
+
+/** A kind in words. */
+export const wordOf = (kind: string): string => kind.replace('hollow-', 'hollow ');
+
+/** What is a pure number of a body's shape, whatever the units. */
+export const isShare = (name: string): boolean => name === 'inner';
 
 /** Whether it is the loss of a material. A body has one of them at most. */
 export const isLossName = (name: string): boolean => ['loss_time', 'quality', 'relaxation'].includes(name);

@@ -7,7 +7,7 @@ import { type Side, isUnusual, meetingOf } from './document';
 import { names, textOf } from './fields';
 import { nameOf, titleOf } from './files';
 import { type Inputs, dropOf, motionOf, speedOf } from './inputs';
-import { isFaceName, isLossName, lengthOf } from './kinds';
+import { isFaceName, isLossName, lengthOf, wordOf } from './kinds';
 
 // The build takes it from CMakeLists.txt.
 declare const STOSS_VERSION: string;
@@ -29,10 +29,11 @@ function inWords({ kind, si, body, second, fields, material, strain, file }: Sid
   if (file) return `“${titleOf(file)}”`;
   const size = sized ? lengthOf(kind) : undefined;
   return [
-    ...(material ? [`${material.name} ${kind.name}`] : [kind.name]),
+    material ? `${material.name} ${wordOf(kind.name)}` : wordOf(kind.name),
     ...(!material && fields.includes('poisson') ? [`ν ${significant(body.poisson, 4)}`] : []),
     ...(!material && (si || second) ? [`E ${withPrefix(body.young, si ? 'Pa' : '')}`] : []),
     ...(size ? [`${names[size][0]} ${inUnit(body[size], si)}`] : []),
+    ...(fields.includes('inner') ? [`b ${significant(body.inner, 4)}`] : []),
     ...(!material && body.loss_time !== 0 ? [`η ${significant(body.loss_time, 3)}`] : []),
     ...(!material && body.quality !== 0 ? [`Q ${significant(body.quality, 3)}`] : []),
     ...(body.relaxation.length > 0 ? [`E(t) ${textOf(body.relaxation)}`] : []),
@@ -118,7 +119,7 @@ function wordsOfMotion({ speed, angle, friction, spin, second_spin }: Motion): [
 export function pythonLines(inputs: Inputs): string {
   const motion = motionOf(inputs);
   const { kind, against, first, second } = meetingOf(inputs.encounter);
-  const one = first.file ? 'body' : kind;
+  const one = first.file ? 'body' : kind.replace('-', '_');
   const other = second?.kind.bounded ? 'other' : 'block';
   const args = [
     one, ...(second ? [`against=${other}`] : against === 'same' ? ['against="same"'] : []),

@@ -6,7 +6,7 @@ import type { Elastic, Encounter } from '../core/protocol';
 import { rounded, shortest } from '../drawing/numbers';
 import { type Body, type Choice, ball, encounterOf, meetingOf } from './document';
 import { type Inputs, type View, dropOf, siSpeed, speedOf } from './inputs';
-import { type NumberField, blockOf, isBlock, isFaceName, lengthOf, sizeOf } from './kinds';
+import { type NumberField, blockOf, isBlock, isFaceName, isShare, lengthOf, sizeOf } from './kinds';
 
 /** c of the first body: 1 without SI, else m/s. */
 export function barSpeed(encounter: Encounter): number {
@@ -41,7 +41,7 @@ export function withoutSi(inputs: Inputs): Inputs {
     const size = first.body[sizeOf(choice.kind)];
     const own: Partial<Record<NumberField, number>> = { young, poisson, loss_time: body.loss_time / units.time, quality: body.quality };
     const unitOf = (name: NumberField): number =>
-      unitOfFace(name, size, units.modulus!) ?? (name === thickness ? size : first.body[name]);
+      isShare(name) ? 1 : unitOfFace(name, size, units.modulus!) ?? (name === thickness ? size : first.body[name]);
     return changed(body, (value, name) => own[name] ?? value / unitOf(name), 1 / units.time);
   };
   return {
@@ -67,19 +67,20 @@ function ofModulus(choice: Choice, body: Body, ratio: number): Body {
 
 /** Such bodies in SI: the first becomes the ball of a bearing, and a second one keeps its ratios to the first. */
 export function withSi(inputs: Inputs): Inputs {
-  const { first: _, second, ...choice } = meetingOf(inputs.encounter);
+  const { first, second, ...choice } = meetingOf(inputs.encounter);
   if (choice.si) return inputs;
   const si: Choice = { ...choice, si: true, plane: 'stress' };
+  const its = { ...ball, inner: first.body.inner };
   const { poisson, loss_time, quality, relaxation } = ball;
   const { time, modulus } = unitsOf(encounterOf({ ...si, against: 'wall' }, ball));
   const unitOf = (name: NumberField): number => unitOfFace(name, ball[sizeOf(choice.kind)], modulus!) ?? ball[name];
   const inSi = (body: Body): Body => ({
-    ...changed(body, (value, name) => (name === 'quality' ? value : value * unitOf(name)), time),
+    ...changed(body, (value, name) => (name === 'quality' || isShare(name) ? value : value * unitOf(name)), time),
     ...(body.young === 1 && body.density === 1 ? { poisson, loss_time, quality, relaxation }
       : { poisson: Math.min(body.poisson, poisson), loss_time: rounded(body.loss_time * time, 6) }),
   });
   const [spin, second_spin] = [inputs.spin, inputs.second_spin].map((each) => rounded(each / time, 6)) as [number, number];
-  return { ...inputs, encounter: encounterOf(si, ball, second && ofModulus(si, inSi(second.body), second.body.young)), speed: siSpeed, spin, second_spin };
+  return { ...inputs, encounter: encounterOf(si, its, second && ofModulus(si, inSi(second.body), second.body.young)), speed: siSpeed, spin, second_spin };
 }
 
 /** In c of the first body. */
@@ -92,7 +93,7 @@ export function fastest(encounter: Encounter): number {
   const { first, second } = unitsOf(encounter);
   const { kind, si, against, ...its } = meetingOf(encounter);
   if (!isBlock(against) || !second) return half;
-  const sphere = kind === 'sphere';
+  const sphere = kind !== 'disk';
   const stiff = ({ young, poisson = 0 }: Elastic): number => young / (sphere ? 1 - poisson ** 2 : 1);
   const share = stiff(first) / (stiff(first) + stiff(second));
   const slower = Math.sqrt(its.second!.body.density / (si ? its.first.body.density : 1) / second.young);

@@ -10,7 +10,7 @@ import { openFile, titleOf, withFile } from '../inputs/files';
 import {
   type Inputs, dropOf, isBall, presetOf, presets, withAgainst, withKind, withPreset,
 } from '../inputs/inputs';
-import { type BodyKind, blockOf, blocks, bodyKinds, fileKind, kindNamed, materials, sizeOf } from '../inputs/kinds';
+import { type BodyKind, blockOf, blocks, bodyKinds, fileKind, kindNamed, materials, sizeOf, wordOf } from '../inputs/kinds';
 import { description } from '../inputs/lines';
 import { barSpeed, placeOf, speedAt, steps, withoutSi, withSi } from '../inputs/units';
 import { showFields, showNumbers, textOf } from './form_fields';
@@ -35,7 +35,7 @@ export function createControls(initial: Inputs, listener: Listener) {
   const simple = find('simple', HTMLInputElement);
   slider.max = String(steps);
   render(bodyKinds.map((kind) => html`<label title=${kindNamed(kind).help}>
-    <input type="radio" name="body" value=${kind} /><span>${kind.charAt(0).toUpperCase() + kind.slice(1)}</span>
+    <input type="radio" name="body" value=${kind} /><span>${kind.charAt(0).toUpperCase() + wordOf(kind).slice(1)}</span>
   </label>`).concat(html`<label title=${fileKind.help}>
     <input type="file" id="file" accept=".json" aria-label=${say('form.file1')} data-waits disabled /><span>${say('form.file')}</span>
   </label>`), find('bodies', HTMLElement));
@@ -68,7 +68,7 @@ export function createControls(initial: Inputs, listener: Listener) {
       ? [['half-space', say('form.thick')], ['plate', say('form.plate')], ['same', say('form.same_ball')]]
       : [
         ['wall', say('form.wall')], ['same', say('form.same')],
-        ['body', file2 ? `“${titleOf(file2)}”` : say('form.other', { kind })],
+        ['body', file2 ? `“${titleOf(file2)}”` : say('form.other', { kind: wordOf(kind) })],
         ...blocks.flatMap((name): [string, string][] => {
           const block = blockOf(kind, name);
           return block ? [[name, say('form.block', { name: block.name })]] : [];

@@ -36,7 +36,7 @@ export function drawBodies(
     else strokeEdge(to, edgeOf(part, part, magnification * (bodies[n]!.center - part.center)), true, true);
     paint(to, meshes[n]!, bodies[n]![to.shade.quantity]);
     strokeEdge(to, edges[n]!, !part.open);
-    if (part.lower.length > 0) strokeEdge(to, edgeOf({ edge: part.lower }, meshes[n]!), false);
+    for (const edge of [part.lower, part.hole]) if (edge.length > 0) strokeEdge(to, edgeOf({ edge }, meshes[n]!), false);
     to.context.restore();
   });
   if (against === 'wall') drawWall(to);

@@ -3,7 +3,7 @@
 
 import { range } from 'd3-array';
 import type { BodyFrame, Encounter, Grid } from '../core/protocol';
-import { meetingOf } from '../inputs/document';
+import { type Side, meetingOf } from '../inputs/document';
 import { type BodyKind, isBlock } from '../inputs/kinds';
 import { isShownThrough } from './grid';
 
@@ -30,6 +30,8 @@ export interface Part {
   open: boolean;
   /** points of the lower face of a plate, from the line of impact; empty where none is seen */
   lower: number[];
+  /** those of the hole of a hollow sphere, from the line of impact where it is struck; empty without one */
+  hole: number[];
 }
 
 type Point = Record<'x' | 'y', number>;
@@ -53,7 +55,7 @@ export type Mesh = Pick<Part, 'rows' | 'columns' | 'x' | 'y'>;
 function partOf(
   rows: ArrayLike<number>, columns: ArrayLike<number>,
   at: (row: number, column: number) => { rest: Point; radial: Point; tangential: Point },
-  more: Pick<Part, 'center' | 'size' | 'edge' | 'curvature' | 'open' | 'lower'>,
+  more: Pick<Part, 'center' | 'size' | 'edge' | 'curvature' | 'open'> & Partial<Pick<Part, 'lower' | 'hole'>>,
 ): Part {
   const points = Array.from(rows).flatMap((row) => Array.from(columns, (column) => at(row, column)));
   const of = (name: 'rest' | 'radial' | 'tangential'): { x: Float32Array; y: Float32Array } =>
@@ -65,14 +67,19 @@ function partOf(
     const sides = sidesOf(rest, corners);
     return { corners, sides, area: cross(...sides) };
   });
-  return { rows: count, columns: step, ...rest, radial: of('radial'), tangential: of('tangential'), cells, ...more };
+  return {
+    rows: count, columns: step, ...rest, radial: of('radial'), tangential: of('tangential'), cells, lower: [], hole: [], ...more,
+  };
 }
 
 const nowhere: Point = { x: 0, y: 0 };
 
 /** A disk, a sphere or a rod. @param facing 1: what it meets is to the right; −1: to the left
- *  @param size radius, or length @param halfHeight of a rod */
-export function bodyPart(kind: BodyKind, size: number, facing: 1 | -1, halfHeight: number, grid: Grid): Part {
+ *  @param size radius, or length @param halfHeight of a rod @param inner radius of a hole, in its own: the grid is that of
+ *  the wall, which the core computes at rest */
+export function bodyPart(
+  kind: BodyKind, size: number, facing: 1 | -1, halfHeight: number, grid: Grid, inner = 0,
+): Part {
   const [rows, columns] = [grid.radius.length, grid.angle.length];
   if (kind === 'rod') {
     return partOf(grid.radius, grid.angle, (place, side) => ({
@@ -80,10 +87,11 @@ export function bodyPart(kind: BodyKind, size: number, facing: 1 | -1, halfHeigh
       radial: { x: facing * size, y: 0 }, tangential: nowhere,
     }), {
       center: -facing * 0.5 * size, size, edge: [0, columns - 1, columns * rows - 1, columns * (rows - 1)],
-      curvature: 0, open: false, lower: [],
+      curvature: 0, open: false,
     });
   }
-  return partOf(grid.radius, grid.angle, (r, angle) => {
+  return partOf(grid.radius, grid.angle, (depth, angle) => {
+    const r = inner + (1 - inner) * depth;
     const [cosine, sine] = [Math.cos(angle), Math.sin(angle)];
     return {
       rest: { x: facing * size * (r * cosine - 1), y: size * r * sine },
@@ -92,7 +100,7 @@ export function bodyPart(kind: BodyKind, size: number, facing: 1 | -1, halfHeigh
     };
   }, {
     center: -facing * size, size, edge: range((rows - 1) * columns, rows * columns), curvature: 1 / size, open: false,
-    lower: [],
+    hole: inner > 0 ? range(columns) : [],
   });
 }
 
@@ -107,6 +115,9 @@ export function blockPart({ depth, distance }: NonNullable<Grid['below']>, lower
 
 const ROD = 0.1; // half the thickness of the first rod, in its lengths
 
+/** Radius of its hole over its own. */
+const innerOf = ({ fields, body }: Side): number => (fields.includes('inner') ? body.inner : 0);
+
 /** What meets, of some sizes. @param thickness of a plate, in the radii of the grid */
 export function partsOf(
   encounter: Encounter, sizes: number[], grid: Grid, thickness = Infinity,
@@ -114,7 +125,7 @@ export function partsOf(
   const { kind, against, first, second = first } = meetingOf(encounter);
   const thick = Math.min(0.4, Math.max(0.03, ROD * Math.sqrt(second.body.area / (second.si ? first.body.area : 1))));
   return sizes.map((size, n) => (n === 1 && isBlock(against) ? blockPart(grid.below!, isShownThrough(thickness))
-    : bodyPart(kind, size, n === 0 ? 1 : -1, n === 0 ? ROD : thick, grid)));
+    : bodyPart(kind, size, n === 0 ? 1 : -1, n === 0 ? ROD : thick, grid, innerOf(n === 0 ? first : second))));
 }
 
 /** How the points of a part are displaced, apart from its movement as a whole. */

@@ -96,7 +96,8 @@ export function createScene(host: HTMLElement, core: Core, cursor: (time: number
   function film(show: Show): Film {
     const { from, to, collision, secondAtRest, meeting } = show;
     const coated = [meeting.first, meeting.second].some((side) => side && side.body.coat !== 0);
-    const more = (secondAtRest ? say('film.at_rest') : '') + (coated ? say('film.coat') : '');
+    const hollow = meeting.kind === 'hollow-sphere';
+    const more = (hollow ? say('film.hollow') : secondAtRest ? say('film.at_rest') : '') + (coated ? say('film.coat') : '');
     return {
       from, to, still: 0.5 * (collision.begin + collision.end),
       describe: (time) => describe(collision, time),

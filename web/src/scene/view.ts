@@ -57,10 +57,11 @@ export function coveringStress(part: Part, values: Float32Array, covered = COVER
 }
 
 /** Stress of the last colour, or from fringe to fringe, in the modulus of the first body: a round number that suits the
- *  bodies, for a half-space has no end. */
+ *  bodies, for a half-space has no end; the half-space where bodies are drawn at rest. */
 export function stressUnit(quantity: Quantity, frames: Frame[], parts: Part[]): number {
-  const greatest = Math.max(0, ...frames.flatMap(({ bodies }) => bodies.flatMap((now, n) =>
-    (parts[n]!.open ? [] : [coveringStress(parts[n]!, now[quantity])]))));
+  const greatestOf = (open: boolean): number => Math.max(0, ...frames.flatMap(({ bodies }) => bodies.flatMap((now, n) =>
+    (parts[n]!.open === open ? [coveringStress(parts[n]!, now[quantity])] : []))));
+  const greatest = greatestOf(false) || greatestOf(true);
   if (!(greatest > 0)) return 1;
   return roundUp(quantity === 'fringes' ? greatest / ORDERS : greatest);
 }

@@ -110,6 +110,13 @@ describe.skipIf(!hasCommand)('an answer', { timeout: 60_000 }, () => {
   });
 });
 
+it('about a hollow sphere says where linear elasticity of its shell ends', { timeout: 60_000 }, () => {
+  const encounter = like(ball, { kind: 'hollow-sphere', si: true, first: { ...made('PMMA', 0.02), inner: 0.9 } });
+  const linesAt = (speed: number) => ask('restitution', encounter, { speed, tolerance }).value.materialWarnings;
+  expect(linesAt(20)).toEqual([]);
+  expect(linesAt(60)).toEqual([expect.stringMatching(/^the shell gives way by more than its thickness from about 24\.3 m\/s on/)]);
+});
+
 describe('many answers', { timeout: 60_000 }, () => {
   it('are those at each speed', () => {
     const speeds = [0.2, 0.01, 0.05];

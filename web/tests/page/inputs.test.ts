@@ -38,7 +38,7 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
     const page = await site.open('?body=cube&v=0.2&colour=red');
     expect(await settled(page)).toMatch(/±/);
     const notice = await page.textContent('#notice');
-    expect(notice).toContain('body: got “cube”, allowed disk, sphere, rod');
+    expect(notice).toContain('body: got “cube”, allowed disk, sphere, hollow-sphere, rod');
     expect(notice).toContain('colour: got an unknown key');
     expect(await page.inputValue('#field-speed')).toBe('0.2');
     await page.context().close();

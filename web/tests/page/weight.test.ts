@@ -28,7 +28,7 @@ describe.skipIf(missing !== '')(`the page${missing && ` (${missing})`}`, () => {
     expect(paths.filter((path) => path.endsWith('.wasm'))).toEqual([expect.stringMatching(/\/first-[^/]*\.wasm$/)]);
     expect(sum).toBeLessThan(most);
     // The rest follows by itself.
-    await page.waitForFunction(() => performance.getEntriesByType('resource').some(({ name }) => /\/stoss-[^/]*\.wasm$/.test(name)));
+    await page.waitForFunction(() => performance.getEntriesByType('resource').some(({ name }) => /\/page-[^/]*\.wasm$/.test(name)));
     await page.context().close();
   });
 });

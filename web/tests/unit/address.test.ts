@@ -45,7 +45,7 @@ describe('the address', () => {
     }
   });
   it.each([
-    ['body=cube&nu=0.3&v=0.2', 'body=disk&nu=0.3&v=0.2', 'body: got “cube”, allowed disk, sphere, rod'],
+    ['body=cube&nu=0.3&v=0.2', 'body=disk&nu=0.3&v=0.2', 'body: got “cube”, allowed disk, sphere, hollow-sphere, rod'],
     ['body=disk&nu=0.4', 'body=disk&nu=0.4&v=0.1', 'v: got none, allowed a number'],
     ['body=disk&v=0.2', 'body=disk&nu=0.33&v=0.2', 'nu: got none, allowed a number'],
     ['body=disk&nu=0.4&v=0,1', 'body=disk&nu=0.4&v=0.1', 'v: got “0,1”, write it with a point: 0.1'],

@@ -51,6 +51,14 @@ export const cases: readonly Inputs[] = [
     si: true, first: { ...ball, roughness: 2.4e-8 }, against: 'plate',
     second: { ...made('glass', 1), thickness: 0.01, roughness: 1e-7, coat: 1e-6, coat_young: 2e9 },
   }), 1),
+  of(like(sphere, { kind: 'hollow-sphere', first: ratios({ poisson: 0.3, inner: 0.8 }) }), 0.01),
+  of(like(sphere, {
+    kind: 'hollow-sphere', first: ratios({ poisson: 0.3, inner: 0.5, loss_time: 0.01 }), against: 'half-space', second: ratios({ young: 0.5 }),
+  }), 0.01),
+  of(like(sphere, {
+    kind: 'hollow-sphere', si: true, first: { ...made('PMMA', 0.02), inner: 0.9 }, against: 'body',
+    second: { ...made('structural steel', 0.03), inner: 0.7 },
+  }), 0.5),
 ];
 
 /** Collisions with friction. */
@@ -60,4 +68,5 @@ export const obliqueCases: readonly Inputs[] = [
   { ...cases[4]!, friction: 1, angle: 70, spin: -0.02 },
   { ...cases[10]!, friction: 0.1, angle: 30, spin: 200 },
   { ...cases[11]!, friction: 0.4, angle: 10, spin: 5, second_spin: 20 },
+  { ...cases[20]!, friction: 0.3, angle: 30 },
 ];

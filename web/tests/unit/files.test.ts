@@ -27,7 +27,7 @@ describe('a body of a file', () => {
   });
 
   it('is no kind of the form', () => {
-    expect(bodyKinds).toEqual(['disk', 'sphere', 'rod']);
+    expect(bodyKinds).toEqual(['disk', 'sphere', 'hollow-sphere', 'rod']);
     expect(fileKind.name).toBe('modal');
   });
   it('is in the document as it is, and in SI', () => {

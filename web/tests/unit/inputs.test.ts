@@ -140,7 +140,7 @@ describe('a change of units', () => {
       const plain = withoutSi(inputs);
       const round = withoutSi(withSi(plain));
       for (const field of fieldsOf(plain)) {
-        if (!['radius2', 'young2', 'density2', 'area2', 'thickness2'].includes(field)) continue;
+        if (!['inner', 'inner2', 'radius2', 'young2', 'density2', 'area2', 'thickness2'].includes(field)) continue;
         const [before, after] = [plain, round].map((each) => valueOf(each, field)) as [number, number];
         expect(Math.abs(after - before), field).toBeLessThanOrEqual(1e-4 * Math.abs(before));
       }

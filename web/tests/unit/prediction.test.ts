@@ -32,7 +32,7 @@ describe('real materials', () => {
     expect(is(like(marble, { first: { ...made('glass', 0.01), young: 1.23e11 } }))).toBe(false);
     expect(is(defaults.encounter)).toBe(false);
     const kinds = cases.filter(({ encounter }) => is(encounter)).map(({ encounter }) => meetingOf(encounter).kind);
-    expect(new Set(kinds)).toEqual(new Set(['sphere']));
+    expect(new Set(kinds)).toEqual(new Set(['sphere', 'hollow-sphere']));
   });
   it('are said with the digits of the band, and of shares with few', () => {
     expect(bandInWords(0.8135, 0.6976, 0.9994)).toEqual({ value: '0.81', band: '0.70 to 1.00' });

@@ -149,6 +149,24 @@ describe('colours', () => {
   });
 });
 
+describe('a hollow sphere', () => {
+  it('has the wall that its grid stands for, with a face inside', () => {
+    const part = bodyPart('hollow-sphere', 2, 1, 0.1, evenGrid('hollow-sphere', 4, 8), 0.75);
+    const distances = (points: readonly number[]): number[] => points.map((k) => Math.hypot(part.x[k]! + 2, part.y[k]!));
+    for (const each of distances(part.hole)) expect(each).toBeCloseTo(1.5, 6);
+    for (const each of distances(part.edge)) expect(each).toBeCloseTo(2, 6);
+    expect([part.hole.length, part.x.length]).toEqual([9, 45]);
+    expect(bodyPart('sphere', 1, 1, 0.1, evenGrid('sphere', 4, 8)).hole).toEqual([]);
+  });
+  it('leaves the colours to what it meets, as it is drawn at rest', () => {
+    const grid = evenGrid('disk', 40, 40);
+    const [rest, block] = [{ ...field(grid, () => 0, () => 0) }, field(grid, () => 0, () => 0)];
+    rest.fringes = new Float32Array(rest.fringes.length);
+    const parts = [diskOf(grid), { ...diskOf(grid), open: true }];
+    expect(stressUnit('fringes', [{ time: 0, bodies: [rest, block] }], parts)).toBeCloseTo(0.2);
+  });
+});
+
 describe('interface of two bodies', () => {
   const y = [0, 0.1, 0.2, 0.3];
   it('is in the middle of equal ones, and where a plane is', () => {
