@@ -18,6 +18,10 @@ SECOND = 2.0
 """Order in the length of edges that errors have at least."""
 SMOOTH = 2.75, 5.0
 """Between which orders those of frequencies of smooth bodies lie, measured (docs/developer/bodies.md)."""
+COMPLIANCE = 3.0
+"""That of the compliance along the normal; that along the tangent has the least one."""
+LONGEST = 1.7
+"""How much longer edges of the coarse mesh may be where orders above the least one are taken."""
 
 
 def body_of(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]:
@@ -38,7 +42,8 @@ def body_of(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]
         if held:
             values = [value - share(each, prefix, count) for value, each in zip(values, both)]
         whole = share(modes, prefix, len(modes["frequency"])) if held else 0.0
-        off = growth * abs(values[0] - values[-1])
+        alike = not prefix and given.coarse is None  # meshes of a shape, finer at the point by as much as elsewhere
+        off = (beyond(min(longer, LONGEST), COMPLIANCE) if alike else growth) * abs(values[0] - values[-1])
         return {"compliance": values[0] + whole, "compliance_error": float(fine[f"{prefix}reach"]) + off}
 
     normal = np.asarray(given.normal) / np.linalg.norm(given.normal)
@@ -78,7 +83,7 @@ def bounds(fine: Any, coarse: Any, longer: float, growth: float) -> tuple[float,
     """Least and most that errors of frequencies are of the differences between both meshes."""
     if not fine["curved"]:
         return -growth, growth  # straight edges cut a round body smaller, or fill a hollow one
-    if not (fine["smooth"] and coarse["smooth"]):
+    if not (fine["smooth"] and coarse["smooth"]) or longer > LONGEST:
         return 0.0, growth  # a mesh only makes a body stiffer
     most, least = (beyond(longer, order) for order in SMOOTH)
     return least, most

@@ -19,6 +19,8 @@ MIXED = 1e-2, 0.1
 With edges of R/3 a mesh splits the modes of one frequency of a sphere by up to a hundredth, and two meshes mix them
 with others in different ways: what they move the point together is known ten times better than what each does.
 """
+SHAPES = 1.5
+"""Least relative error of a displacement, in errors of order 2 of its frequency (docs/developer/bodies.md)."""
 
 
 def groups(frequencies: Vector, errors: Vector, close: float = CLOSE) -> list[slice]:
@@ -117,8 +119,8 @@ def merged(
     spreads = np.array([np.ptp(f[each]) for each in clusters])[number]
     fall = np.array([np.mean(f[each] - coarse["frequency"][each]) for each in clusters])[number]
     differ = np.maximum(np.abs(ours["frequency"] - theirs["frequency"]), np.abs(fall))
-    # A difference may be small by chance: shapes are not known better than frequencies.
-    shares = (finer * differ + spreads) / ours["frequency"]
+    # A difference may be small by chance: shapes are not known as well as frequencies.
+    shares = SHAPES * (finer * differ + spreads) / ours["frequency"]
     for name in ("displacement", "tangential_displacement"):
         if name in ours:  # the sign of a mode is any
             changed = finer * np.abs(np.abs(ours[name]) - np.abs(theirs[name]))

@@ -120,7 +120,7 @@ def test_modes_that_meshes_mix_are_one():
     coarse = modes([1.03, 2.04, 2.06, 4.1], [1.0, *turned[1], 2.0])
     both = merged(fine, coarse, 1.0)
     assert both["displacement"] == pytest.approx([1.0, 5.0, 2.0])
-    assert both["displacement_error"][1] < 0.2
+    assert both["displacement_error"][1] < 0.25
     assert both["frequency_error"][1] > 0.01  # the distance between both is within
     assert 2.0 <= both["frequency"][1] <= 2.01
     # Those that are not mixed stay two, as near as they are.
