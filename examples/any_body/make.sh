@@ -47,7 +47,7 @@ for name in "${@:-sphere hollow_sphere bar beam plate ring bell bat bat_held coi
         "$python" -m stoss.modal "$work"/plate_1.msh "$work"/plate_1.4.msh --unit mm --material 'structural steel' \
           --point 0,0,2.5 --normal 0,0,1 --modes 200 --name plate -o plate.json ;;
       ring)
-        for pair in 3:1.35 4:1.8 6:2.3 9:3; do # its thickness, two edges and more
+        for pair in 3:1.35 4:1.8 6:2.7 9:3.5; do # its thickness, two edges and more
           thickness=${pair%:*}
           sed "s/thickness = 4/thickness = $thickness/" ring.geo >"$work/ring_$thickness.geo"
           body "$work/ring_$thickness" --point=-30,0,0 --normal=-1,0,0 --size "${pair#*:}" \

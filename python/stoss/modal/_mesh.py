@@ -208,10 +208,10 @@ def _straighten() -> None:
             gmsh.model.mesh.setNode(node, 0.5 * (places[start] + places[end]), [])
 
 
-MOST = 0.14
+MOST = 0.2
 """Share of the volume that may be one tetrahedron thick where two meshes are to give errors.
 
-At a seventh to a half of it, frequencies erred by 1.5 times the difference of both meshes.
+At a third to a half of it, frequencies of hollow spheres erred by 1.5 times the difference of both meshes.
 """
 
 
