@@ -14,18 +14,25 @@ from stoss import __version__
 from stoss.modal._spectra import merged
 from stoss.modal._supports import holds
 
+SECOND = 2.0
+"""Order in the length of edges that errors have at least."""
+SMOOTH = 2.75, 5.0
+"""Between which orders those of frequencies of smooth bodies lie, measured (docs/developer/bodies.md)."""
+COMPLIANCE = 3.0
+"""That of the compliance along the normal; that along the tangent has the least one."""
+LONGEST = 1.7
+"""How much longer edges of the coarse mesh may be where orders above the least one are taken."""
+
 
 def body_of(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]:
     """The keys of the file, from what each mesh tells of the point: without a coarse one its errors are unknown."""
-    growth, held = 1.0, holds(given.supports)
-    if coarse is not None:
-        longer = given.coarser
-        if given.coarse is not None:
-            longer = ratio(fine["tetrahedra"], coarse["tetrahedra"])
-        growth = max(1.0, 1.0 / (longer**2 - 1.0))  # as if all errors were of second order
+    held, longer = holds(given.supports), given.coarser
+    if coarse is not None and given.coarse is not None:
+        longer = ratio(fine["tetrahedra"], coarse["tetrahedra"])
+    growth = max(1.0, beyond(longer, SECOND))
     both = [arrays(each["modes"]) for each in (fine, coarse) if each is not None]
-    modes = merged(both[0], both[1] if len(both) > 1 else None, growth)
-    complete = float(modes.pop("complete_to")[0])
+    modes = merged(both[0], both[1] if len(both) > 1 else None, growth, bounds(fine, coarse or fine, longer, growth))
+    complete, count = float(modes.pop("complete_to")[0]), int(modes.pop("count")[0])
     meshes = [f"{each['tetrahedra']} tetrahedra ({each['unknowns']} unknowns)" for each in (fine, coarse) if each]
     files = " and ".join(os.path.basename(each) for each in (given.mesh, given.coarse) if each)
 
@@ -33,10 +40,10 @@ def body_of(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]
         """The compliance and its error, of a held body that of what its modes leave."""
         values = [float(each[f"{prefix}compliance"]) for each in (fine, coarse) if each]
         if held:
-            count = int(np.sum(both[0]["frequency"] <= complete))
             values = [value - share(each, prefix, count) for value, each in zip(values, both)]
         whole = share(modes, prefix, len(modes["frequency"])) if held else 0.0
-        off = growth * abs(values[0] - values[-1])
+        alike = not prefix and given.coarse is None  # meshes of a shape, finer at the point by as much as elsewhere
+        off = (beyond(min(longer, LONGEST), COMPLIANCE) if alike else growth) * abs(values[0] - values[-1])
         return {"compliance": values[0] + whole, "compliance_error": float(fine[f"{prefix}reach"]) + off}
 
     normal = np.asarray(given.normal) / np.linalg.norm(given.normal)
@@ -65,6 +72,21 @@ def body_of(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]
             **({"inertia": 0.0, "arm": 0.0} if held else {}),
         }
     return body | ({"loss_time": given.loss_time} if given.loss_time else {})
+
+
+def beyond(longer: float, order: float) -> float:
+    """An error of this order of the fine mesh over its difference from the coarse one, with edges so much longer."""
+    return float(1.0 / (longer**order - 1.0))
+
+
+def bounds(fine: Any, coarse: Any, longer: float, growth: float) -> tuple[float, float]:
+    """Least and most that errors of frequencies are of the differences between both meshes."""
+    if not fine["curved"]:
+        return -growth, growth  # straight edges cut a round body smaller, or fill a hollow one
+    if not (fine["smooth"] and coarse["smooth"]) or longer > LONGEST:
+        return 0.0, growth  # a mesh only makes a body stiffer
+    most, least = (beyond(longer, order) for order in SMOOTH)
+    return least, most
 
 
 def share(modes: dict[str, Any], prefix: str, count: int) -> float:

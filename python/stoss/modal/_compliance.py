@@ -68,7 +68,7 @@ class Pressures:
         # Even in the radius but for weak terms; beside a wall thinner than the pressures curves part.
         even = float(np.polyfit(self.radii**2, values, 2)[-1])
         parabola = float(np.polyfit(self.radii, values, 2)[-1])
-        return even, 2.0 * abs(even - parabola)
+        return even, (2.0 if self.along else 1.0) * abs(even - parabola)
 
 
 def pressures(surface: Surface, curvature: float, widest: float | None, along: bool = False) -> Pressures:

@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 
 DEGREE = 10
 """Degree of the polynomials that are integrated exactly over a facet: pressures end within some."""
+SHARP = 35.0
+"""Angle in degrees between facets from which on they meet at an edge: of round surfaces meshes have less."""
 
 Vector = NDArray[np.float64]
 
@@ -62,6 +64,15 @@ class Skin:
         """Which facets of all processes are among those that this one knows by their numbers in the mesh."""
         mine = np.isin(self._own, facets)
         return np.concatenate(self.mesh.comm.allgather(mine))
+
+    def notched(self) -> bool:
+        """Whether facets meet inward at an edge: there stresses have no bound, and errors fall more slowly."""
+        sides = np.sort(self.facets[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+        facets = np.lexsort(sides.T) // 3
+        one, other = facets[::2], facets[1::2]
+        inward = np.sum((self.middles[other] - self.middles[one]) * self.normals[one], axis=1) > 0.0
+        sharp = np.sum(self.normals[one] * self.normals[other], axis=1) < math.cos(math.radians(SHARP))
+        return bool(np.any(inward & sharp))
 
     def displacements(self, vector: Any) -> Vector:
         """Displacements of all nodes, from a vector that is spread over the processes."""

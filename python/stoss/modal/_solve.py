@@ -27,6 +27,8 @@ from stoss.modal._surface import Surface
 
 LARGE = 10.0
 """Diagonal in m of bodies that are more often in another unit."""
+OUTER = 0.7
+"""Share of the volume that tetrahedra at the surface may have where errors of frequencies are of a high order."""
 
 Vector = NDArray[np.float64]
 
@@ -48,6 +50,8 @@ class Meshed:
     Attributes:
         skin: Its surface.
         length: That in m by which its lengths are divided.
+        smooth: Whether errors of frequencies are of a high order: meshes of a shape that differ by the length of
+            edges alone, of a free body without notches and without walls of few tetrahedra.
     """
 
     def __init__(
@@ -57,13 +61,16 @@ class Meshed:
         thick = index == 0 and bool(given.coarse or not given.errors_unknown)
         names = sorted({each.surface for each in given.supports})
         unit = 1.0 if given.shape else given.scale
-        mesh, self.length, self._surfaces = load(path, unit, given.point, sizes, MPI.COMM_WORLD, thick, names)
+        loaded = load(path, unit, given.point, sizes, MPI.COMM_WORLD, thick, names)
+        mesh, self.length, self._surfaces, outer = loaded
         if index == 0 and given.unit is None and 2.0 * self.length > LARGE:
             progress.say(
                 f"the body measures {2.0 * self.length:.3g} m from corner to corner, as no unit is given:"
                 " if its lengths are in mm, --unit mm"
             )
         self.skin = Skin(displacements(mesh))
+        alike = sizes is not None and not given.shape and outer < OUTER
+        self.smooth = alike and not holds(given.supports) and not self.skin.notched()
         self._held = [(each, self.skin.marked(self._surfaces[each.surface])) for each in given.supports]
 
     def surface(
@@ -124,7 +131,8 @@ class Solved:
         self.spectrum = Spectrum(body)
         self.speed, self.weight = math.sqrt(given.young / given.density), given.density * length**3
         self.whole = {
-            "tetrahedra": tetrahedra, "unknowns": unknowns, "mass": body.volume * self.weight,
+            "tetrahedra": tetrahedra, "unknowns": unknowns, "curved": meshed.skin.curved, "smooth": meshed.smooth,
+            "mass": body.volume * self.weight,
             "inertia": (body.inertia * self.weight * length**2).tolist(), "centre": (body.centre * length).tolist(),
         }  # fmt: skip
         count = given.modes

@@ -8,14 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss._errors import InvalidInput
-from stoss.modal._skin import Skin
+from stoss.modal._skin import SHARP, Skin
 
 PATCH = 4.0
 """Radius of the surface to which polynomials are fitted, in edges of the mesh."""
 STEEP = 0.8
 """Least cosine between the normal of a facet of the patch and that at the point."""
-SHARP = 35.0
-"""Angle in degrees between facets at the point from which on it is an edge: of round surfaces meshes have less."""
 POWERS = [(i, k - i) for k in range(5) for i in range(k, -1, -1)]
 """Degree of the polynomials x^i y^j that are fitted, up to the fourth degree."""
 

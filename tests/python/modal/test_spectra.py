@@ -86,7 +86,49 @@ def test_errors_are_differences():
     assert both["complete_to"] == [3.0]
 
 
+def test_frequencies_lie_between_their_bounds():
+    """Of an error that falls with any order in between the true frequency is within the stated error."""
+    least, most = 0.2, 0.7
+    for share in (least, 0.45, most):
+        true, fall = np.array([1.0, 2.0, 5.0]), np.array([1e-3, 3e-3, 1e-2])
+        fine = modes(true + share * fall, [1.0, 1.0, 1.0])
+        coarse = modes(true + (share + 1.0) * fall, [1.0, 1.0, 1.0])
+        both = merged(fine, coarse, 1.04, (least, most))
+        off = np.abs(both["frequency"] - true)
+        assert np.all(off <= both["frequency_error"] * (1.0 + 1e-9))
+        assert both["frequency_error"] == pytest.approx(0.25 * fall)
+        assert both["complete_to"] == pytest.approx(both["frequency"][-1:])
+
+
+def test_orders_make_the_bounds():
+    body = pytest.importorskip("stoss.modal._body")
+    for order in (2.75, 3.5, 5.0):
+        coarse, fine = 1.4**order, 1.0
+        share = fine / (coarse - fine)
+        assert body.beyond(1.4, order) == pytest.approx(share)
+        smooth = {"curved": True, "smooth": True}
+        least, most = body.bounds(smooth, smooth, 1.4, 1.04)
+        assert least <= share * (1.0 + 1e-12) and share <= most * (1.0 + 1e-12)
+        assert body.bounds(smooth, {**smooth, "smooth": False}, 1.4, 1.04) == (0.0, 1.04)
+        assert body.bounds({"curved": False}, smooth, 1.4, 1.04) == (-1.04, 1.04)
+
+
+def test_modes_that_meshes_mix_are_one():
+    """Two modes apart, of which each mesh makes two others: what they move together has small errors."""
+    turned = [np.array([[np.cos(t), np.sin(t)], [-np.sin(t), np.cos(t)]]) @ [3.0, 4.0] for t in (0.1, 0.9)]
+    fine = modes([1.0, 2.0, 2.01, 4.0], [1.0, *turned[0], 2.0])
+    coarse = modes([1.03, 2.04, 2.06, 4.1], [1.0, *turned[1], 2.0])
+    both = merged(fine, coarse, 1.0)
+    assert both["displacement"] == pytest.approx([1.0, 5.0, 2.0])
+    assert both["displacement_error"][1] < 0.25
+    assert both["frequency_error"][1] > 0.01  # the distance between both is within
+    assert 2.0 <= both["frequency"][1] <= 2.01
+    # Those that are not mixed stay two, as near as they are.
+    coarse = modes([1.03, 2.04, 2.06, 4.1], [1.0, *turned[0], 2.0])
+    assert len(merged(fine, coarse, 1.0)["frequency"]) == 4
+
+
 def test_one_mesh_has_no_errors():
     assert set(merged(modes([1.0], [1.0]), None, 1.0)) == {
-        "frequency", "displacement", "displacement_curvature", "complete_to"
+        "frequency", "displacement", "displacement_curvature", "complete_to", "count"
     }  # fmt: skip
