@@ -62,7 +62,8 @@ class Block {
 
  private:
   /// The same with the static answer to forces on the contact points.
-  bodies::half_space::Field with(bodies::half_space::Field now, const std::vector<double>& node_force) const {
+  [[nodiscard]] bodies::half_space::Field with(bodies::half_space::Field now,
+                                               const std::vector<double>& node_force) const {
     std::vector<double> force(rings_);
     for (std::size_t i = 0; i < node_force.size(); ++i) force[i / in_ring_] += node_force[i];
     for (std::size_t i = 0; i < rings_; ++i) {

@@ -55,7 +55,7 @@ Relaxation made_for(double quality, double lowest, double highest) {
   const std::vector<double> band = spaced(lowest, highest, static_cast<int>(in_decade * decades) + 3);
   for (int count = 2; count <= static_cast<int>(most_relaxation_terms); ++count) {
     const std::vector<double> times = spaced(1.0 / (margin * highest), margin / lowest, count);
-    const Relaxation made = of_moduli(fitted(exponent(quality), band, times), times);
+    Relaxation made = of_moduli(fitted(exponent(quality), band, times), times);
     if (worst(made, quality, band) <= flat) return made;
   }
   throw InvalidInput::out_of_range("highest", shown(highest) + " with a quality of " + shown(quality),

@@ -11,6 +11,7 @@ std::complex<double> modulus_of_term(double frequency, double time) {
 
 std::vector<double> spaced(double low, double high, int count) {
   std::vector<double> all;
+  all.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) all.push_back(low * std::pow(high / low, i / (count - 1.0)));
   return all;
 }

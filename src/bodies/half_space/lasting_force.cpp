@@ -69,10 +69,10 @@ void LastingForce::add(const PointForce& answer, Interval& interval, double begi
   }
   // ∫P_k = (P_{k+1} − P_{k−1})/(2k + 1), from −1 on.
   Panel panel{begin, end, sum, {}, {}};
-  const auto integrate = [](const std::array<double, terms>& of, double* to) {
+  const auto integrate = [](const std::array<double, terms>& of, std::array<double, terms + 1>& to) {
     to[0] = to[1] = of[0];
-    for (int k = 1; k < terms; ++k) {
-      const double part = of[static_cast<std::size_t>(k)] / (2.0 * k + 1.0);
+    for (std::size_t k = 1; k < terms; ++k) {
+      const double part = of[k] / (2.0 * static_cast<double>(k) + 1.0);
       to[k + 1] += part;
       to[k - 1] -= part;
     }

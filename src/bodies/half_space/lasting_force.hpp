@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "bodies/half_space/point_force.hpp"
@@ -27,9 +28,9 @@ class LastingForce {
  private:
   static constexpr int terms = 12;
   struct Panel {
-    double begin, end;                            ///< in s
-    Displaced before;                             ///< integral up to the panel
-    double normal[terms + 1], radial[terms + 1];  ///< Legendre coefficients of the integral over the panel
+    double begin, end;                             ///< in s
+    Displaced before;                              ///< integral up to the panel
+    std::array<double, terms + 1> normal, radial;  ///< Legendre coefficients of the integral over the panel
   };
   struct Interval {
     double begin, end;

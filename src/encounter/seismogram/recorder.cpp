@@ -67,7 +67,7 @@ Recorded recorded(const Solid& solid, const Receiver& receiver, const Instants& 
   if (const auto* block = std::get_if<HalfSpace>(&solid)) {
     return of_block(block->poisson, receiver, instants, loads, poll);
   }
-  const Plate& plate = std::get<Plate>(solid);
+  const auto& plate = std::get<Plate>(solid);
   const double echo = std::hypot(receiver.distance, 2.0 * plate.thickness - receiver.depth);
   const bool like_block = plate.below.empty() && echo > speeds_below(solid).pressure * last_of(instants);
   if (like_block) return of_block(plate.poisson, receiver, instants, loads, poll);
