@@ -114,7 +114,7 @@ class HalfSpace(Endless):
 
     Examples:
         >>> stoss.restitution(stoss.Sphere(poisson=0.3), against=stoss.HalfSpace(), speed=0.01)
-        Restitution(Sphere(poisson=0.3) against HalfSpace(poisson=0.3), speed=0.01 c: restitution 0.9598515 ± 0.0000044)
+        Restitution(Sphere(poisson=0.3) against HalfSpace(poisson=0.3), speed=0.01 c: restitution 0.959850 ± 0.000011)
         >>> steel, glass = stoss.materials["structural steel"], stoss.materials["glass"]
         >>> ball = stoss.Sphere(radius=5e-3, material=steel)
         >>> drop = stoss.restitution(ball, against=stoss.HalfSpace(material=glass), speed=1)

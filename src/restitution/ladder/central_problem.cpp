@@ -63,7 +63,7 @@ CentralProblem::CentralProblem(const RefinableContact& contact, double speed, co
       order_(convergence_order(where.probe(), speed)),
       energy_(whole_energy(options.vibration)),
       next_{.rungs = second_rung(where.probe())} {
-  where.levels.lowest -= levels_below(where.probe(), where.stretch);
+  where.levels.lowest -= levels_below(where.probe(), speed, where.stretch);
   where.levels.lowest = lowest_level(contact, options.vibration, where.levels, options.poll);
   result_.tolerance = options.tolerance;
   result_.absolute = options.absolute;

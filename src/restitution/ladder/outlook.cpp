@@ -5,6 +5,7 @@
 
 #include "check.hpp"
 #include "contact/touch.hpp"
+#include "contact/zener.hpp"
 #include "restitution/few_modes.hpp"
 
 namespace stoss {
@@ -45,12 +46,17 @@ Reached reached(const Restitution& result) {
   return {result.runs.back().cutoff, result.lost_fraction.error / scale};
 }
 
-int levels_below(const Contact& contact, double stretch) {
+int levels_below(const Contact& contact, double speed, double stretch) {
   // Half as many octaves as the contact lasts longer, in levels of a quarter. As many octaves, or more levels, are too
   // many: three runs may agree by chance where the tail takes nothing. What lossy bodies lose needs all cutoffs, and
   // bodies that are known at a point have levels of their own (RefinableContact::levels).
   constexpr int most = 3;
-  if (!contact.unbounded || contact.keeps_displacement || loses(contact) || has_few_modes(contact)) return 0;
+  constexpr double no_digit = 1e-6;  // λ of a plate so thick that it is a half-space
+  if (!contact.unbounded || loses(contact) || has_few_modes(contact)) return 0;
+  if (contact.keeps_displacement) {
+    const bool ball = contact.second->part.mobility > 0.0;
+    if (!ball || zener_scales(contact, speed).inelasticity > no_digit) return 0;
+  }
   const int longer = static_cast<int>(std::lround(4.0 * std::log2(stretch)));
   return std::clamp((longer - 1) / 2, 0, most);
 }

@@ -30,7 +30,7 @@ struct Reached {
 
 /// By how many levels the first run lies below the usual one: on a half-space, where slow impacts last longer and lose
 /// at lower frequencies. @param stretch of the half-space (RefinableContact::stretch)
-[[nodiscard]] int levels_below(const Contact& contact, double stretch);
+[[nodiscard]] int levels_below(const Contact& contact, double speed, double stretch);
 
 /// Rungs from the first run to the second: few waves are enough on a half-space, and at the circle where a ball
 /// touches.
