@@ -96,7 +96,8 @@ Resolution refined_resolution(const Contact& contact, double speed, double half_
   const double wanted = local ? fewest : std::max<double>(sampled_nodes(contact, width), fewest);
   resolution.half_width = std::min(width * std::max(margin, 1.0 + spacings / wanted), greatest_half_width(contact));
   const double nodes = std::max(wanted, 1.02 * nyquist_nodes(contact, *resolution.half_width));
-  constexpr double vector = 8.0, rounding = 1e-12;  // 48.000…1 means 48, whatever the units
+  constexpr double vector = 8.0;
+  const double rounding = contact.second == nullptr ? 0.0 : 1e-12;  // of its units: 48.000…1 means 48
   const double vectors = std::ceil((1.0 - rounding) * nodes / vector);
   resolution.nodes = static_cast<int>(std::min<double>(vector * vectors, most_nodes));
   return resolution;
