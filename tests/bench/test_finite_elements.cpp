@@ -174,7 +174,7 @@ void expect_convergence(double converged, const LostFraction& lost_fraction) {
   EXPECT_LT(error(8, 4), error(2, 1) / 4.0);
 }
 
-TEST(FiniteElements, ConvergeUnderRefinement) {
+TEST(FiniteElements, ConvergeUnderRefinement_long) {
   expect_convergence(converged_lost_fraction, [](const MeshSize& mesh) {
     FiniteElements body = disk(poisson, mesh);
     return collide(body, speed).lost_fraction;

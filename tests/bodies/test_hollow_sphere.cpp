@@ -86,7 +86,7 @@ struct Shell {
   double inner, poisson;
 };
 
-TEST(HollowSphere, ModesAreTheZerosOfTheDeterminantOfBesselsFunctionsAndNoOthers) {
+TEST(HollowSphere, ModesAreTheZerosOfTheDeterminantOfBesselsFunctionsAndNoOthers_long) {
   constexpr double low = 0.05, cutoff = 12.0, near = 1e-8;
   for (const Shell& its : {Shell{0.9, 0.22}, {0.8, 0.3}, {0.5, 0.45}, {0.3, -0.5}, {0.2, 0.0}}) {
     const RadialShell shell(its.poisson, its.inner, cutoff, 30.0);

@@ -57,6 +57,7 @@ def test_a_file_is_replaced_as_a_whole_or_left(stoss, tmp_path, way):
 # Of 45 MB, of which 16 are kept in memory.
 
 
+@pytest.mark.numbers
 @pytest.mark.parametrize("size", [2000, 20_000_000])
 def test_full_disk_keeps_the_old_trajectory(stoss, tmp_path, size):
     """Rows of it were written before the disk was full."""
@@ -175,6 +176,7 @@ def test_names_and_places(stoss, tmp_path):
     assert texts[0] == texts[1]  # equal runs give equal files
 
 
+@pytest.mark.numbers
 def test_disk_of_a_page(stoss, tmp_path):
     if os.geteuid() != 0 or subprocess.run(["mount", "-t", "tmpfs", "-o", "size=2m", "none", tmp_path]).returncode:
         pytest.skip("needs the right to mount")

@@ -10,6 +10,7 @@ def of(stoss, plate):
     return {name: float(stoss.data(f"{BALL} --against {plate}")[0][name]) for name in ("restitution", "dissipated")}
 
 
+@pytest.mark.numbers
 def test_a_laminate_has_the_losses_of_its_materials(stoss):
     own = of(stoss, f"plate,{PANE}/{FILM}/{PANE}")
     elastic = of(stoss, f"plate,loss_time=0,{PANE}/{FILM}/{PANE}")
@@ -21,6 +22,7 @@ def test_a_laminate_has_the_losses_of_its_materials(stoss):
     assert elastic["restitution"] > soft["restitution"] + 0.03
 
 
+@pytest.mark.numbers
 def test_a_lossy_layer_on_top_takes_more_than_one_below(stoss):
     above, below = of(stoss, f"plate,{FILM}/{PANE}"), of(stoss, f"plate,{PANE}/{FILM}")
     assert above["dissipated"] > 5.0 * below["dissipated"] > 0.0

@@ -38,6 +38,7 @@ def test_what_it_meets_has_the_modulus_of_its_frequency(stoss, quality):
     assert error < 0.003 * of_modes
 
 
+@pytest.mark.numbers
 @pytest.mark.parametrize("bodies", [
     "--body @{0}/sphere.json --yield-strength 3e8", "--body @{0}/sphere.json --yield-strength 3e8 --against half-space,material=glass",
     "--body @{0}/sphere.json --yield-strength 3e8 --against plate,material=glass,thickness=0.02",
@@ -61,6 +62,7 @@ def test_predict_takes_bodies_of_files_as_balls(stoss, bodies):
 STEEL = "radius=0.01,young=210e9,poisson=0.3,density=7850"
 
 
+@pytest.mark.numbers
 @pytest.mark.parametrize("ball", [
     "--body sphere --radius 0.005 --material 'bearing steel'", "--body @{0}/sphere.json",
     "--body @{0}/sphere.json --yield-strength 5e8",
@@ -80,6 +82,7 @@ def test_a_partner_of_a_file_yields_as_a_sphere_of_its_curvature(stoss, ball, st
                 assert one.get(name) == pytest.approx(other.get(name), rel=5e-3), name
 
 
+@pytest.mark.numbers
 def test_a_table_of_predictions_takes_partners_of_files_that_yield(stoss):
     words = "table --predict --body sphere --radius 0.005 --material 'bearing steel' --speed 0.05:1 --error 1e-2 --format json"
     rows = [json.loads(stoss.run(words, f"--against {each},yield_strength=3e8").stdout)["records"]

@@ -6,6 +6,8 @@ import resource
 
 import pytest
 
+pytestmark = pytest.mark.numbers
+
 BALL = "--body sphere --radius 0.005"
 
 
@@ -55,7 +57,6 @@ def test_table_states_the_spread_beside_its_error(stoss):
     assert "differ" not in stoss.run("table --quiet", wall).stdout
 
 
-@pytest.mark.numbers
 def test_slow_balls_on_blocks_take_hardly_longer_than_without_models(stoss):
     # Of processor time: a ladder without loss and an impact for each constant took more than twice as much.
     ball = f"{BALL} --material glass --against half-space,material=glass --speed 1e-3 --threads 1"

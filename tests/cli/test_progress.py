@@ -43,6 +43,7 @@ def shown(command, folder, enough):
     return text
 
 
+@pytest.mark.numbers
 @pytest.mark.parametrize("name", LONG)
 def test_a_long_call_shows_on_the_terminal_that_it_goes_on(stoss, tmp_path, name):
     going_on = re.compile(r"\d\.\d s, |\] [1-9]\d*/\d+")

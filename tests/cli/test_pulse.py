@@ -6,6 +6,8 @@ import json
 
 import pytest
 
+pytestmark = pytest.mark.numbers
+
 BALL = "pulse --body sphere --poisson 0.3 --speed 0.01"
 STEEL = "pulse --body sphere --material 'bearing steel' --radius 0.003 --against half-space,material=glass"
 

@@ -97,6 +97,7 @@ def test_refuses_in_one_line(stoss, words, line):
     assert line in result.stderr, result.stderr
 
 
+@pytest.mark.numbers
 def test_every_contact_is_looked_at_for_yielding(stoss, tmp_path):
     steel, brass = ({"kind": "sphere", "material": name, "radius": 0.01} for name in ("bearing steel", "brass"))
     path = tmp_path / "row.json"

@@ -7,6 +7,8 @@ import pytest
 pytest.importorskip("scipy")
 from plain_disks import row
 
+pytestmark = pytest.mark.numbers
+
 CASES = {
     "cradle": ([0.1, 0.0, 0.0], False, "--count 3 --speed 0.1"),
     "drop": ([0.1, 0.1], True, "--count 2 --speed 0.1,0.1 --against wall"),

@@ -10,6 +10,8 @@ import pytest
 
 from test_table_modules import rows, run, told
 
+pytestmark = pytest.mark.numbers
+
 TABLES = Path(__file__).resolve().parents[1] / "data/tables"
 SPEEDS = {"plain": (0.01, 0.2), "mixture": (51.7219, 1034.438)}  # slowest, fastest
 VALUES = ("restitution", "restitution_error", "sliding", "sliding_error")

@@ -12,6 +12,8 @@ import pytest
 from conftest import rows, wait_for_rows, wait_until_caught
 from test_files import WAYS, fails
 
+pytestmark = pytest.mark.numbers
+
 NU = "--body disk --poisson 0.33"
 BALL = "--body sphere --poisson 0.3"
 LONG = f"restitution {NU} --speed log:1e-3:0.3:20000 --threads 1"
@@ -28,7 +30,6 @@ RUNS = {
 }
 
 
-@pytest.mark.numbers
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
 @pytest.mark.parametrize("command", RUNS)
 def test_stopped_runs_keep_their_rows(stoss, tmp_path, command, number):
@@ -227,7 +228,6 @@ def test_changed_between_two_calls(stoss, tmp_path):
         assert path.read_text().endswith("\nprecious\n")
 
 
-@pytest.mark.numbers
 @needs_locks
 def test_changed_before_the_first_new_row(stoss, tmp_path):
     """What another has added to the rows of an earlier run is not cut off."""

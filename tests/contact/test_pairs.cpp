@@ -76,9 +76,10 @@ TEST_P(Rods, TendToTheExactAnswer) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Exact, Rods,
-                         ::testing::Values(RodCase{3, 10, 1, 25, 0.7875}, RodCase{5, 10, 1, 73, 0.596178},
-                                           RodCase{1, 10, 3, 20, 0.75}, RodCase{2, 30, 5, 11, 0.710929},
-                                           RodCase{1, 1, 1, 3, 1.0 / 3.0}, RodCase{1, 1, 1, 1, 1.0}));
+                         ::testing::Values(RodCase{3, 10, 1, 25, 0.7875}, RodCase{1, 10, 3, 20, 0.75},
+                                           RodCase{2, 30, 5, 11, 0.710929}, RodCase{1, 1, 1, 3, 1.0 / 3.0},
+                                           RodCase{1, 1, 1, 1, 1.0}));
+INSTANTIATE_TEST_SUITE_P(Exact_long, Rods, ::testing::Values(RodCase{5, 10, 1, 73, 0.596178}));
 
 TEST(Pairs, RefuseWhatDoesNotMeet) {
   test::expect_refusal([] { (void)contact(disk(0.33), rod(), 25.0); }, {"against", "rod", "disk"});

@@ -31,18 +31,18 @@ std::string laden_ball(double mass, const std::string& more = {}) {
 
 // Seen from each other, two bodies know the mass of a rigid one through the reduced mass alone.
 TEST(ExtraMass, IsThatOfARigidPartnerOfTheSameReducedMass) {
+  constexpr double reduced = 0.4;
+  const auto against = [](double density) {
+    return R"(,"against":{"kind":"sphere","rigid":true,"density":)" + std::to_string(density) + "}}";
+  };
   for (const double speed : {1e-3, 0.03}) {
+    const Restitution without = of(R"({"first":)" + laden_ball(0.0) + against(reduced / (1.0 - reduced)), speed, 2e-5);
+    EXPECT_LT(without.lost_fraction.error, 4e-5 * without.lost_fraction.value);
     for (const double extra : {0.5, 1.0, 40.0}) {
-      const double laden = 1.0 + extra, reduced = 0.4, partner = reduced * laden / (laden - reduced);
-      const auto against = [](double density) {
-        return R"(,"against":{"kind":"sphere","rigid":true,"density":)" + std::to_string(density) + "}}";
-      };
+      const double laden = 1.0 + extra, partner = reduced * laden / (laden - reduced);
       const Restitution with = of(R"({"first":)" + laden_ball(extra * unladen) + against(partner), speed, 2e-5);
-      const Restitution without =
-          of(R"({"first":)" + laden_ball(0.0) + against(reduced / (1.0 - reduced)), speed, 2e-5);
       EXPECT_NEAR(with.lost_fraction.value, without.lost_fraction.value,
                   with.lost_fraction.error + without.lost_fraction.error);
-      EXPECT_LT(without.lost_fraction.error, 4e-5 * without.lost_fraction.value);
       EXPECT_NEAR(with.contact_time.value, without.contact_time.value,
                   with.contact_time.error + without.contact_time.error);
     }
@@ -69,7 +69,7 @@ TEST(ExtraMass, MakesSlowContactsLastAsByHertz) {
 }
 
 // The limit in which the ball answers as at rest: nothing is left to lose.
-TEST(ExtraMass, OfAMillionTimesTheBallLosesNothing) {
+TEST(ExtraMass, OfAMillionTimesTheBallLosesNothing_long) {
   const Restitution heavy = of(R"({"first":)" + laden_ball(1e6 * unladen) + "}", 1e-6, 0.5);
   EXPECT_NEAR(heavy.restitution.value, 1.0, 1e-6);
 }

@@ -101,7 +101,7 @@ TEST(ImpactReference, RestitutionAtHardWall) {
   EXPECT_EQ(by_finite_elements, 8);
 }
 
-TEST(ImpactReference, ContactAtHardWallIsThatOfFiniteElements) {
+TEST(ImpactReference, ContactAtHardWallIsThatOfFiniteElements_long) {
   std::map<double, Body> bodies;
   for (const auto& row : test::read_csv("contact_hard_wall.csv")) {
     const double poisson = row.number("poisson"), speed = row.number("speed");

@@ -95,7 +95,7 @@ TEST(YieldingImpact, TendsToTheWorksOfItsLaw) {
   }
 }
 
-TEST(YieldingImpact, BalancesItsEnergyInEachBody) {
+TEST(YieldingImpact, BalancesItsEnergyInEachBody_long) {
   const Relaxation lossy = constant_quality(50.0, lowest_of_body, highest_of_body);
   for (const bool relaxes : {false, true}) {
     const auto all =

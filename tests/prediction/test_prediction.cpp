@@ -54,7 +54,7 @@ TEST(Predict, WithoutModelsIsTheComputedRestitution) {
   }
 }
 
-TEST(Predict, SharesAddUpAndTheSpreadHoldsTheValue) {
+TEST(Predict, SharesAddUpAndTheSpreadHoldsTheValue_long) {
   for (const auto& [ball, block] : std::vector<std::pair<std::string, std::string>>{
            {"structural steel", "structural steel"}, {"rubber", "structural steel"}, {"brass", "glass"}}) {
     for (const Prediction& made : predict(ball_on(ball, block), {1e-3, 0.03, 1.0})) {

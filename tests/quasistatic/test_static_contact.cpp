@@ -22,7 +22,7 @@ namespace {
 
 using std::numbers::pi;
 
-TEST(QuasistaticStaticContact, IsTheSpectralSolution) {
+TEST(QuasistaticStaticContact, IsTheSpectralSolution_long) {
   for (const double poisson : {-0.5, 0.0, 0.33, 0.9}) {
     for (const double a : {0.06, 0.2, 0.4}) {
       const test::SpectralContact exact(poisson, a);
@@ -105,7 +105,7 @@ TEST(QuasistaticStaticContact, TellsHowGoodTheLawsAre) {
   }
 }
 
-TEST(QuasistaticStaticContact, LawForTheCentreIsExactForSmallLoadsWithAKnownNextTerm) {
+TEST(QuasistaticStaticContact, LawForTheCentreIsExactForSmallLoadsWithAKnownNextTerm_long) {
   // δ = law + (3 + 3ν/2) F² + …: the coefficient is a measurement (docs/theory/quasistatic.md).
   for (const double poisson : {-0.5, 0.0, 0.33, 0.9}) {
     const test::SpectralContact exact(poisson, 0.04);

@@ -71,7 +71,7 @@ Body with_facet(Body body) {
   return body;
 }
 
-TEST(RestitutionOnAHalfSpace, IsTheLimitOfLargeSpheresWithAFacet) {
+TEST(RestitutionOnAHalfSpace, IsTheLimitOfLargeSpheresWithAFacet_long) {
   // Other modes and another code. Rayleigh waves on a sphere are slower by a series in 1/R, of which three radii give
   // the limit: 3 f(60) − 8 f(80) + 6 f(120).
   constexpr double cutoff = 8.0, speed = 0.01;

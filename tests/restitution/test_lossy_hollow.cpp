@@ -99,7 +99,7 @@ TEST(LossyHollowSpheres, LoseInProportionToALittleDamping) {
 
 // The slower the impact, the more of it is Hertz' contact, which knows no hole; what the shell gives way has a share of
 // a/R ~ v^{2/5}.
-TEST(LossyHollowSpheres, TendToTingsLaw) {
+TEST(LossyHollowSpheres, TendToTingsLaw_long) {
   for (const double inner : {0.3, 0.5}) {
     double before = 1.0;
     for (const double speed : {1e-4, 1e-6, 1e-8}) {

@@ -55,7 +55,7 @@ RefinableContact on_a_plate(const test::CsvRow& row) {
   return {row.number("rigid_body") == 1.0 ? rigid(ball) : ball, flat};
 }
 
-TEST(Errors, OfBallsOnPlatesAreNarrow) {
+TEST(Errors, OfBallsOnPlatesAreNarrow_long) {
   Judged loss, force, of_rigid;
   for (const auto& row : test::read_csv("../../validate/data/reference_plates_unseen.csv")) {
     const Restitution found = best_of(on_a_plate(row), row.number("speed"));

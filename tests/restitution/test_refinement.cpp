@@ -71,7 +71,7 @@ TEST(RestitutionLadder, OneRunThatIsOffDoesNotDriveTheCutoffUp) {
   }
 }
 
-TEST(RestitutionLadder, EndsEarlyWhereErrorsFallTooSlowly) {
+TEST(RestitutionLadder, EndsEarlyWhereErrorsFallTooSlowly_long) {
   const Restitution best = given_up(-0.95, 1.0, 1e-3);
   EXPECT_LT(best.steps, 15'000);
   EXPECT_NEAR(best.lost_fraction.value, 0.5857, best.lost_fraction.error);  // at cutoff 362

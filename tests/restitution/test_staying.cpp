@@ -123,7 +123,7 @@ TEST(StayingBall, ObeysMechanicsOnThinPlates) { expect_mechanics_on(15); }
 TEST(StayingBall, ObeysMechanicsOnFiftyThinPlates_long) { expect_mechanics_on(50); }
 
 // From plates that throw the ball back a little to those on which it stays nothing jumps.
-TEST(StayingBall, ComesToStayWithoutAJump) {
+TEST(StayingBall, ComesToStayWithoutAJump_long) {
   constexpr double speed = 1e-4, friction = 0.2;
   double sliding = 0.0, error = 0.0, lost = 0.0, lost_error = 0.0;
   int stays = 0, parts = 0;
@@ -149,7 +149,7 @@ TEST(StayingBall, ComesToStayWithoutAJump) {
 
 // The strip under a disk is slowed as 1/√t by what it moves: it never comes back, and the disk lies on it, or meets it
 // again. Of V = v eˣ erfc √x runs of 60 and 240 R/c are within 1 %.
-TEST(StayingDisk, HasOneAnswerOnThinStripsWithFrictionAndWithout) {
+TEST(StayingDisk, HasOneAnswerOnThinStripsWithFrictionAndWithout_long) {
   for (const double thickness : {0.1, 0.2, 0.4, 0.6, 0.8, 1.0, 1.2}) {
     for (const double speed : {1e-4, 0.01}) {
       if (thickness == 1.2 && speed < 0.01) continue;  // it parts

@@ -9,6 +9,8 @@ import pytest
 
 from study_runs import ROOT
 
+pytestmark = pytest.mark.long
+
 
 def near(rows, **wanted):
     """The one row with these values."""
@@ -153,22 +155,6 @@ def test_figures_11_and_12_slow_impacts(study):
     # Above 0.003 c the loss decreases: what the paper calls unphysical.
     between = [row["lost_fraction"] for row in full if 0.004 < row["speed[c]"] < 0.016]
     assert len(between) > 1 and between == sorted(between, reverse=True)
-
-
-# ---- the errata
-
-
-def test_each_erratum_of_the_theory_names_tests_that_exist():
-    errata = (ROOT / "docs/developer/derivations/errata.md").read_text(encoding="utf-8").split("\n## ")[1:]
-    assert [entry.partition(" ")[0] for entry in errata] == "E1 E4 E5 E6 E7 E8 E9 E11 E12 E13".split()
-    there = set()
-    for path in (ROOT / "tests").rglob("test_*.*"):
-        text = path.read_text(encoding="utf-8")
-        there |= {".".join(names) for names in re.findall(r"^TEST(?:_[PF])?\((\w+), (\w+)\)", text, re.MULTILINE)}
-        there |= {f"{path.name}::{name}" for name in re.findall(r"^def (test_\w+)", text, re.MULTILINE)}
-    for erratum in errata:
-        named = re.findall(r"`([\w./]+(?:\.|::)\w+)`", erratum.rpartition("\nTests: ")[2])
-        assert named and set(named) <= there, (erratum.partition("\n")[0], set(named) - there)
 
 
 # ---- the report

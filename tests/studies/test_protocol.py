@@ -1,5 +1,6 @@
 """What the reproduction of the paper computes by itself: its two limits, its relaxation at rest, its law of compression."""
 
+import re
 import sys
 
 import numpy as np
@@ -84,3 +85,16 @@ def test_the_printed_law_is_equation_56():
         force = printed_law.force_by("printed", poisson, np.array([1e-6, 1e-3, 0.05]))
         assert force * (np.log(4 / force) - 1 - poisson) == pytest.approx([1e-6, 1e-3, 0.05], rel=1e-13)
     assert printed_law.force_by("center", 0.3, 0.01) == stoss.quasistatic.compression_force(poisson=0.3, compression=0.01)
+
+
+def test_each_erratum_of_the_theory_names_tests_that_exist():
+    errata = (ROOT / "docs/developer/derivations/errata.md").read_text(encoding="utf-8").split("\n## ")[1:]
+    assert [entry.partition(" ")[0] for entry in errata] == "E1 E4 E5 E6 E7 E8 E9 E11 E12 E13".split()
+    there = set()
+    for path in (ROOT / "tests").rglob("test_*.*"):
+        text = path.read_text(encoding="utf-8")
+        there |= {".".join(names) for names in re.findall(r"^TEST(?:_[PF])?\((\w+), (\w+)\)", text, re.MULTILINE)}
+        there |= {f"{path.name}::{name}" for name in re.findall(r"^def (test_\w+)", text, re.MULTILINE)}
+    for erratum in errata:
+        named = re.findall(r"`([\w./]+(?:\.|::)\w+)`", erratum.rpartition("\nTests: ")[2])
+        assert named and set(named) <= there, (erratum.partition("\n")[0], set(named) - there)

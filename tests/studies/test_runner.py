@@ -14,6 +14,7 @@ from study_runs import STUDIES, environment, run, states
 FRAMEWORK = ("__init__", "__main__", "common", "equations", "report", "runner", "store", "words")
 
 
+@pytest.mark.long
 def test_two_runs_elsewhere_give_the_same_bytes(tmp_path):
     folders = [tmp_path / name for name in ("one", "two")]
     for folder in folders:

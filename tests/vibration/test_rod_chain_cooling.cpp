@@ -38,7 +38,7 @@ Mean mean(const std::vector<double>& values) {
 }
 
 // Microcanonical: translation has as many degrees of freedom as rods but one, every mode two.
-TEST(RodChainCooling, EnergyIsSharedByAllDegreesOfFreedomWithoutDamping) {
+TEST(RodChainCooling, EnergyIsSharedByAllDegreesOfFreedomWithoutDamping_long) {
   const std::vector<Rod> rods = rods_of(6, 0.1);
   RodChain chain = cooling_chain(rods, {.modes = 2, .resolution = {.tail = Tail::quasistatic}}, 4);
   const double total = chain.sample().translation;

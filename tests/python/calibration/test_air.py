@@ -22,6 +22,7 @@ def test_drag_is_that_of_the_standard_curve(reynolds, known):
     assert drag_coefficient(reynolds) == pytest.approx(known, rel=0.06)
 
 
+@pytest.mark.long
 def test_a_grain_falls_at_the_speed_of_stokes():
     grain = Flight(radius=5e-6, density=2500.0, air=True)
     viscosity = VISCOSITY * DENSITY

@@ -29,6 +29,7 @@ def made_by(body, against=None, speeds=SPEEDS, noise=1e-3, random=None):
     return columns
 
 
+@pytest.mark.long
 def test_constants_come_back_within_their_uncertainty():
     """Twelve sets of two constants each: 95 % within two standard uncertainties."""
     random = np.random.default_rng(7)
@@ -48,8 +49,8 @@ def test_constants_come_back_within_their_uncertainty():
     ("quality", 60.0, BALL, BLOCK),
     ("against.young", 6e10, BALL, BLOCK),
     ("radius", 0.008, BALL, None),
-    ("quality", 60.0, BALL, "same"),
-    ("loss_time", 4e-8, VISCOUS, None),
+    pytest.param("quality", 60.0, BALL, "same", marks=pytest.mark.long),
+    pytest.param("loss_time", 4e-8, VISCOUS, None, marks=pytest.mark.long),
 ])  # fmt: skip
 def test_each_constant_comes_back(unknown, true, body, against):
     data = made_by(body, against)
@@ -61,6 +62,7 @@ def test_each_constant_comes_back(unknown, true, body, against):
     assert found.degrees_of_freedom == 7 and found.chi_squared < 4.0
 
 
+@pytest.mark.long
 def test_a_yield_strength_comes_back():
     soft = stoss.Material(young=7e10, poisson=0.33, density=2700, yield_strength=2e8)
     block = stoss.HalfSpace(material=soft)
@@ -72,6 +74,7 @@ def test_a_yield_strength_comes_back():
     assert found.against.material.yield_strength == found.constants[0].value
 
 
+@pytest.mark.long
 def test_a_roughness_comes_back():
     rough = stoss.Sphere(radius=0.008, material=GLASS, roughness=2e-7)
     speeds = np.array([0.02, 0.2])
@@ -85,6 +88,7 @@ def test_a_roughness_comes_back():
     assert its.value == pytest.approx(2e-7, abs=0.1 * its.uncertainty + its.numerical)
 
 
+@pytest.mark.long
 def test_friction_comes_back():
     speed, angle = np.full(4, 1.0), np.array([10.0, 30.0, 50.0, 65.0])
     known = stoss.oblique(BALL, speed=speed, angle=angle, friction=0.25, tolerance=1e-3)
@@ -119,6 +123,7 @@ def test_what_is_found_is_ready_for_other_calls():
     assert "quality" in repr(found) and "degrees of freedom" in str(found)
 
 
+@pytest.mark.long
 def test_held_constants_are_a_third_uncertainty():
     data = {
         "speed": SPEEDS,
@@ -133,6 +138,7 @@ def test_held_constants_are_a_third_uncertainty():
     assert stoss.calibrate(data, BALL, against=BLOCK, unknown="quality").constants[0].by_constants == 0.0
 
 
+@pytest.mark.long
 def test_without_uncertainties_the_scatter_tells():
     data = made_by(BALL, random=np.random.default_rng(3))
     given = stoss.calibrate(data, BALL, unknown="quality").constants[0]
@@ -176,6 +182,7 @@ def test_what_cannot_be_told_apart_is_said():
     assert any("rigid wall" in each for each in at_wall.not_told_apart)
 
 
+@pytest.mark.long
 def test_what_a_body_has_of_its_own_stays_its_own():
     """A body that loses nothing, of a material that does, and one whose strength is not that of its material."""
     lossless = stoss.Sphere(radius=0.008, material=GLASS, loss_time=0)

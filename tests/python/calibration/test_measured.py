@@ -25,6 +25,7 @@ def test_the_table_of_series_is_that_of_the_study(measured):
         assert f"| {' | '.join(map(str, cells))} |" in PAGE
 
 
+@pytest.mark.long
 def test_a_croquet_ball_by_rebounds_and_contact_times_at_once(measured):
     """T = 2.87 (m²/R E*² v)^{1/5} of Hertz at 2.19 m/s is 0.97 ms with E = 0.7 GPa; loss and time are told apart."""
     rows = measured.points("croquet_on_mallet")

@@ -14,6 +14,7 @@ from glass_ball import BALL, RANGE, fitted
 import stoss
 
 
+@pytest.mark.long
 def test_misfits_are_those_of_the_law_against_stoss():
     fit = stoss.fit(BALL, against="same", law="tsuji", speed=RANGE, friction=0.2)
     curve = stoss.restitution(BALL, against="same", speed=fit.speed, tolerance=3e-3)

@@ -75,6 +75,7 @@ def test_constants_per_mass_are_those_of_the_force():
     assert force == pytest.approx(its.stiffness * x**1.5 + its.damping * x**0.25 * u)
 
 
+@pytest.mark.long
 def test_one_restitution_makes_the_dashpot_of_the_law():
     """MFIX, Lethe and Kratos, which do not run here: their constants by the formulas of their sources."""
     value = lambda text, name: float(text.split(name)[1].split()[0].rstrip(","))  # noqa: E731

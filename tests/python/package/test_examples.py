@@ -44,6 +44,10 @@ FILES = {
 }
 
 
+# Which take seconds, and run before a release.
+LONG = ("08_drop_test", "10_rod_chain", "18_ball_drop_calibration", "19_impact_echo", "20_table_tennis_ball")
+
+
 def load(name):
     spec = importlib.util.spec_from_file_location(name[3:], EXAMPLES / f"{name}.py")
     module = importlib.util.module_from_spec(spec)
@@ -55,7 +59,7 @@ def test_all_examples_are_tested():
     assert sorted(path.stem for path in EXAMPLES.glob("*.py")) == sorted(FILES)
 
 
-@pytest.mark.parametrize("name", FILES)
+@pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.long) if name in LONG else name for name in FILES])
 def test_files(name, example):
     folder = example(name).folder
     assert sorted(path.name for path in folder.iterdir()) == FILES[name]
@@ -173,6 +177,7 @@ def test_vibrating_ball(example):
         assert abs(mean - 0.99861) < 3 * error + 1e-5
 
 
+@pytest.mark.long
 def test_rod_chain(example):
     run = example("10_rod_chain")
     ((*_, left_none, mean_none, spread, above),) = run.numbers("no ")
@@ -235,6 +240,7 @@ def test_balls_of_the_example_are_those_of_the_package(example):
             assert float(row["pressure_Pa"]) == pytest.approx(hertz, rel=0.01)
 
 
+@pytest.mark.long
 def test_ball_drop(example):
     run = example("18_ball_drop_calibration")
     rows = run.csv("ball_drop.csv")
@@ -259,6 +265,7 @@ def test_ball_drop(example):
     assert 0 < time[np.argmax(moved > 0.01 * moved.max())] - 0.05 / 6016 < 1e-6  # after the pressure wave
 
 
+@pytest.mark.long
 def test_impact_echo(example):
     rows = example("19_impact_echo").csv("impact_echo.csv")
     useful = np.array([float(row["useful_Hz"]) for row in rows])
@@ -271,6 +278,7 @@ def test_impact_echo(example):
         assert float(row["useful_Hz"]) * float(row["contact_time_s"]) == pytest.approx(1.5, abs=0.05)
 
 
+@pytest.mark.long
 def test_table_tennis_ball(example):
     rows = example("20_table_tennis_ball").csv("table_tennis_ball.csv")
     shell, lossy, solid = (np.array([float(row[name]) for row in rows]) for name in ("shell", "shell_lossy", "solid"))

@@ -66,6 +66,7 @@ def predicted(example_folder):
     return list(csv.DictReader((folder / "drop_test.csv").read_text(encoding="utf-8").splitlines()))
 
 
+@pytest.mark.long
 def test_example_agrees_with_direct_calls(predicted, rows):
     assert [(row["ball"], row["block"], float(row["speed_m_s"])) for row in predicted] == [
         (row["ball"], row["block"], row["speed_m_s"]) for row in rows
