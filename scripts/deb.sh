@@ -30,9 +30,7 @@ if [[ " ${DEB_BUILD_PROFILES:-} " != *" nodoc "* ]]; then
   cp -R build/docs "$out/site"
   # A source package has no code that nobody can read, nor what Debian has: the page is built anew.
   rm -rf "$out"/site/{.buildinfo,.doctrees,page,_static/katex}
-  export STOSS_DOCUMENTATION=../
-  (cd web && npx vite build --minify false --outDir "../$out/site/page" --emptyOutDir --logLevel warn &&
-    npx vite build --minify false --outDir "../$out/site/page" --logLevel warn --mode cradle)
+  STOSS_DOCUMENTATION=../ web/build.sh "$out/site/page" --minify false
   pack "$out/stoss_$version.orig-site.tar.gz" -C "$out" site
   mv "$out/site" "$out/$tree/site"
 fi

@@ -16,9 +16,7 @@ if [ "$state" != "$(cat build/docs-doxygen/state 2>/dev/null)" ]; then
 fi
 # The page, with links to this site, where `make web` has built its core.
 if [ -f build/wasm/stoss.mjs ] && [ -d web/node_modules ]; then
-  export STOSS_DOCUMENTATION=../
-  (cd web && npx vite build --outDir ../build/docs-page --emptyOutDir --logLevel warn &&
-    npx vite build --outDir ../build/docs-page --logLevel warn --mode cradle)
+  STOSS_DOCUMENTATION=../ web/build.sh build/docs-page
 fi
 build/venv/bin/python docs/site/generate "$sources" build/release/cli/stoss
 # After a warning all pages are read again next time: only then it is said again.

@@ -5,8 +5,6 @@
 set -euo pipefail
 what=${2:-build}
 scripts/npm.sh "${1:-2}" "$what"
-out=../build/web
-[ "$what" = build ] || out=../build/native/web
-cd web
-npx vite build --logLevel warn --outDir $out --emptyOutDir
-npx vite build --logLevel warn --outDir $out --mode cradle
+out=build/web
+[ "$what" = build ] || out=build/native/web
+web/build.sh $out
