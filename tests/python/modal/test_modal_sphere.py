@@ -93,4 +93,5 @@ def test_finer(modal, references, poisson):
     assert abs(body["compliance"] - compliance(poisson)) < body["compliance_error"] < 0.04
     if poisson == 0.3:
         check(body, references, 3.0, 4e-4)  # the mode of degree 3 is 3e-4 off
-    assert np.all(check_loss(body, poisson) < 0.5)
+    stated = check_loss(body, poisson)  # by the scatter of few runs: some are twice as large as most
+    assert np.median(stated) < 0.3 and np.all(stated < 0.7)
