@@ -151,10 +151,13 @@ def test_packages_work_in_a_debian_that_has_nothing_else(packages):
         # It is thrown away: dpkg need not wait for the disk after each file.
         (CHROOT / "etc/dpkg/dpkg.cfg.d/unsafe-io").write_text("force-unsafe-io\n", encoding="utf-8")
         kept = ("PATH", "HOME", "LANG", "TERM")
-        # In a name space of mounts of its own, so that /proc and the terminals of the new system go with the tests.
+        # In a name space of mounts of its own, so that what the kernel makes up in the new system goes with the tests.
         tests = ["autopkgtest", "--no-built-binaries", "--apt-upgrade", "--timeout-factor=3"]
         tests += [*map(str, packages.values()), str(only(DEB.glob("*.dsc"))), "--", "chroot", str(CHROOT)]
-        mounted = 'mount -t proc proc "$0/proc" && mount -t devpts devpts "$0/dev/pts" && exec "$@"'
+        mounted = (
+            'mount -t proc proc "$0/proc" && mount -t sysfs sysfs "$0/sys" && mount -t devpts devpts "$0/dev/pts" && '
+            'exec "$@"'
+        )
         done = subprocess.run(
             ["unshare", "--mount", "sh", "-c", mounted, str(CHROOT), *tests],
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=7200,
