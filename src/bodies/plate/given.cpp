@@ -8,6 +8,7 @@
 
 #include "bodies/half_space/medium.hpp"
 #include "check.hpp"
+#include "stoss/errors.hpp"
 
 namespace stoss::bodies::plate {
 
