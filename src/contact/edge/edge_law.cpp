@@ -104,8 +104,8 @@ void add_asperities(const Contact& contact, const ContactGrid& grid, double spee
 }  // namespace
 
 double EdgeLaw::energy_at(std::size_t i, double closure) const {
-  const auto of_edge = [](double force, double gap, double t) {
-    return force * gap * t * t * (1.0 - t * (4.0 / 3.0 - 0.5 * t));
+  const auto of_edge = [](double full, double closing, double t) {
+    return full * closing * t * t * (1.0 - t * (4.0 / 3.0 - 0.5 * t));
   };
   if (asperities == 0.0) return of_edge(full_force(i), full_gap(i), std::clamp(closure, 0.0, 1.0));
   const double its = force_at(i, closure);
