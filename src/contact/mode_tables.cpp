@@ -115,16 +115,16 @@ void ModeTables::place_decays(const Contact& contact) {
   const bool layers = of_layers_[0] || of_layers_[1];
   const bool relaxes = layers || !lossy.rates[0].rate.empty() || !lossy.rates[1].rate.empty();
   for (std::size_t block = 0; block < blocks(); ++block) {
-    std::size_t count = 0;
+    std::size_t decays = 0;
     for (std::size_t g = block * lanes; g < std::min((block + 1) * lanes, contact.groups.size()); ++g) {
       const GroupLoss loss(contact, g);
-      for (const int place : lossy.place_of[g]) count = std::max(count, static_cast<std::size_t>(place + 1));
+      for (const int place : lossy.place_of[g]) decays = std::max(decays, static_cast<std::size_t>(place + 1));
       const bool lossy_otherwise = loss.is_of_layers() || loss.loss_time() > 0.0;
-      if (relaxes && lossy_otherwise) count = std::max<std::size_t>(count, 1);
+      if (relaxes && lossy_otherwise) decays = std::max<std::size_t>(decays, 1);
     }
     lossy.decay_begin.push_back(all);
-    lossy.decay_count.push_back(count);
-    all += (begin[block + 1] - begin[block]) * count;
+    lossy.decay_count.push_back(decays);
+    all += (begin[block + 1] - begin[block]) * decays;
   }
   for (auto* each : {&lossy.residue, &lossy.kept, &lossy.decay_rate}) each->resize(all);
 }

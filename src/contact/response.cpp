@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "contact/demands.hpp"
 #include "contact/hard_contact.hpp"
 #include "contact/yield/yielding_contact.hpp"
 #include "stoss/contact/grid.hpp"

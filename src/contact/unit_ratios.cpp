@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "check.hpp"
+#include "contact/ellipse.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
