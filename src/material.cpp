@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "check.hpp"
+#include "stoss/errors.hpp"
 
 namespace stoss {
 namespace {
