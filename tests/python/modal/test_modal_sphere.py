@@ -86,12 +86,11 @@ def test_the_loss(small_sphere):
 @pytest.mark.long
 @pytest.mark.parametrize("poisson", [0.0, 0.3, 0.45])
 def test_finer(modal, references, poisson):
-    sizes = "--size 0.16 --size-at-point 0.025 --modes 40"
+    sizes = "--size 0.16 --size-at-point 0.025 --modes 60"
     words = f"sphere.geo {BALL} {UNITS} --poisson {poisson} {sizes}"
     body = modal.body(words, name=f"finer_{poisson}.json")
     assert body["compliance"] == pytest.approx(compliance(poisson), abs=0.02)
     assert abs(body["compliance"] - compliance(poisson)) < body["compliance_error"] < 0.04
     if poisson == 0.3:
         check(body, references, 3.0, 4e-4)  # the mode of degree 3 is 3e-4 off
-    stated = check_loss(body, poisson)  # by the scatter of few runs: some are twice as large as most
-    assert np.median(stated) < 0.3 and np.all(stated < 0.7)
+    assert np.all(check_loss(body, poisson) < 0.5)
