@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds the library and the command for gcov, each file by itself, runs the fast tests, and prints the share of lines
-# of each folder that they ran.
+# Builds the library and the command for gcov, runs the fast tests, and prints the share of lines of each folder that
+# they ran.
 set -euo pipefail
 jobs=${1:-2}
 tree=build/coverage

@@ -118,7 +118,7 @@ as_documented() {
 }
 try as_documented
 
-step "coverage: each file compiled by itself"
+step "coverage"
 try scripts/coverage.sh "$jobs"
 
 if [ ${#failed[@]} -gt 0 ]; then
