@@ -81,6 +81,7 @@ TEST(Quantities, HaveNamesAndSentencesOfTheirOwn) {
   expect_names_and_sentences(quasistatic::slow_impact_quantities());
   expect_names_and_sentences(quasistatic::rayleigh_quantities());
   expect_names_and_sentences(quasistatic::driven_mode_quantities());
+  expect_names_and_sentences(quasistatic::half_space_radiation_quantities());
   expect_names_and_sentences(quasistatic::point_slow_impact_quantities());
   expect_names_and_sentences(quasistatic::point_rayleigh_quantities());
   expect_names_and_sentences(oblique_ledger_quantities());

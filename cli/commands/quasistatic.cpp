@@ -22,7 +22,7 @@ namespace {
 using namespace quasistatic;
 
 struct QuasistaticArguments {
-  BodyOptions body;
+  EncounterOptions encounter;
   std::string speeds;
   std::string compressions;
   std::string law = "center";
@@ -95,48 +95,65 @@ std::vector<double> series_within(std::string_view name, Dimension dimension, do
   return series_of(input, text, units);
 }
 
+/// Computes an impact at a speed. @param cutoff of the modes that take the energy
+template <typename Of>
+auto computing(const Of& of, double cutoff, const Poll& poll) {
+  return [of, modes = of.modes(cutoff, poll)](double speed, const Poll& at) {
+    return rayleigh(of.law, of.poisson, speed, modes, at);
+  };
+}
+
+auto computing(const BlockContact& of, double /*cutoff*/, const Poll& /*poll*/) {
+  return [of](double speed, const Poll& /*poll*/) { return half_space_radiation(of.law, of.bodies, speed); };
+}
+
 template <typename Of>
 void impacts(const QuasistaticArguments& arguments, const Of& of, const Encounter& encounter, Provenance provenance) {
   const Yielding yielding = cli::yielding(encounter);
   const Units& units = yielding.units;
   const OutputOptions& output = arguments.output;
-  const std::vector<double> speeds =
-      series_within("speed", Dimension::speed, of.slowest, limit_speed(of.law, of.poisson), "Of the centre of mass",
-                    arguments.speeds, units);
-  provenance.inputs["cutoff"] = arguments.cutoff;
+  const std::vector<double> speeds = series_within("speed", Dimension::speed, of.slowest, of.fastest,
+                                                   "Of the centre of mass", arguments.speeds, units);
+  constexpr bool by_modes = requires { of.last_force; };  // a half-space has a continuum of them
+  if (by_modes) provenance.inputs["cutoff"] = arguments.cutoff;
   const auto fields = estimate_fields(of.quantities(), units);
   Columns columns{{"poisson"}};
   append(columns, speed_columns(units), fields.columns(), yielding.columns());
   Writer writer = output.writer(provenance, columns);
   catch_interrupts();
-  const auto modes = of.modes(arguments.cutoff, waiting(output, "modes"));
+  const auto compute = computing(of, arguments.cutoff, waiting(output, "modes"));
   std::size_t beyond = 0;
   write_rows(output, writer, speeds.size(), [&](std::size_t i, const Poll& poll) {
-    const auto its = rayleigh(of.law, of.poisson, speeds[i], modes, poll);
+    const auto its = compute(speeds[i], poll);
     beyond += its.beyond_perturbation ? 1 : 0;
-    if (speeds.size() == 1 && output.chosen_format() == Format::json) {
-      writer.attach("modes", to_json(driven_mode_quantities(), its.modes));
+    if constexpr (by_modes) {
+      if (speeds.size() == 1 && output.chosen_format() == Format::json) {
+        writer.attach("modes", to_json(driven_mode_quantities(), its.modes));
+      }
     }
     Row row{of.poisson};
     append(row, speed_row(units, speeds[i]), fields.row(its), yielding.row(speeds[i]));
     return row;
   });
   if (beyond > 0) {
-    output.warn(
-        fmt::format("{} of {} rows beyond perturbation theory (marked): lost_fraction is no estimate there, but far "
-                    "too large (see stoss restitution)",
-                    beyond, speeds.size()));
+    output.warn(fmt::format(
+        "{} of {} rows beyond perturbation theory (marked): lost_fraction is {} (see stoss restitution)", beyond,
+        speeds.size(), by_modes ? "no estimate there, but far too large" : "wrong by more than a tenth there"));
   }
   warn_of_materials(output, encounter, *std::max_element(speeds.begin(), speeds.end()));
+}
+
+/// Refuses an option with another one.
+void refuse_with(const QuasistaticArguments& arguments, const std::string& name, const std::string& other,
+                 const std::string& allowed, const std::string& hint) {
+  if (!given(*arguments.command, "--" + name)) return;
+  throw InvalidInput::out_of_range(name, fmt::format("--{} with --{}", name, other), allowed, hint);
 }
 
 template <typename Of>
 void compressions(const QuasistaticArguments& arguments, const Of& of, const Yielding& yielding,
                   const Provenance& provenance) {
-  if (given(*arguments.command, "--cutoff")) {
-    throw InvalidInput::out_of_range("cutoff", "--cutoff with --compression", "only with --speed",
-                                     "here all modes count");
-  }
+  refuse_with(arguments, "cutoff", "compression", "only with --speed", "here all modes count");
   const OutputOptions& output = arguments.output;
   constexpr double least = 1e-12, greatest = 0.5;  // of a static contact, R
   const std::vector<double> values = series_within(
@@ -163,37 +180,22 @@ void compressions(const QuasistaticArguments& arguments, const Of& of, const Yie
   }
 }
 
-CompressionLaw line_law(const std::string& law) {
-  if (law == "center") return CompressionLaw::center;
-  if (law == "diameter") return CompressionLaw::diameter;
-  throw InvalidInput::out_of_range("law", fmt::format("{} with --body disk", law), "center or diameter");
-}
-
-PointLaw point_law(const std::string& law) {
-  if (law == "center") return PointLaw::center;
-  if (law == "hertz") return PointLaw::hertz;
-  throw InvalidInput::out_of_range("law", fmt::format("{} with --body sphere", law), "center or hertz");
-}
-
-std::variant<LineContact, PointContact> contact_of(const Solid& solid, const std::string& law) {
-  if (const auto* sphere = std::get_if<Sphere>(&solid)) return PointContact{point_law(law), sphere->poisson};
-  return LineContact{line_law(law), std::get<Disk>(solid).poisson};
-}
-
 void run(const QuasistaticArguments& arguments) {
   const bool speeds = given(*arguments.command, "--speed");
   if (!speeds && !given(*arguments.command, "--compression")) throw CLI::RequiredError("--speed or --compression");
-  const Encounter encounter{.first = arguments.body.body()};
-  validate(encounter);
+  const Encounter encounter = arguments.encounter.encounter();
+  const auto contact = slow_contact(encounter, arguments.law);
+  if (std::holds_alternative<BlockContact>(contact)) {
+    refuse_with(arguments, "compression", "against half-space", "only at a wall", "static contacts are at a wall");
+    refuse_with(arguments, "cutoff", "against half-space", "only at a wall", "a half-space takes all frequencies");
+  }
   Provenance provenance = cli::provenance(*arguments.command, encounter);
-  const auto contact = contact_of(first_solid(encounter), arguments.law);
   provenance.inputs["law"] = arguments.law;
   const auto write = [&](const auto& of) {
-    if (speeds) {
-      impacts(arguments, of, encounter, provenance);
-    } else {
-      compressions(arguments, of, yielding(encounter), provenance);
+    if constexpr (requires { of.last_force; }) {
+      if (!speeds) return compressions(arguments, of, yielding(encounter), provenance);
     }
+    impacts(arguments, of, encounter, provenance);
   };
   std::visit(write, contact);
 }
@@ -208,11 +210,13 @@ void add_quasistatic(CLI::App& app) {
       "  stoss quasistatic --body disk --poisson 0.33 --speed 1e-12 --format json\n"
       "  stoss quasistatic --body disk --poisson 0.33 --compression lin:0.001:0.03:20\n"
       "  stoss quasistatic --body sphere --poisson 0.3 --speed log:1e-9:0.01:50\n"
+      "  stoss quasistatic --body sphere --poisson 0.3 --speed log:1e-9:0.01:50 --against half-space\n"
       "Two equal bodies that each move at SPEED towards each other are the same problem.");
   CLI::App& command = *arguments.command;
-  arguments.body.add_kind_to(command, {"disk", "sphere"});
-  arguments.body.add_poisson_to(command);
-  arguments.body.add_material_to(command);
+  BodyOptions& body = arguments.encounter.first;
+  body.add_kind_to(command, {"disk", "sphere"});
+  body.add_poisson_to(command);
+  body.add_material_to(command);
   auto* speed = add(command, "--speed", arguments.speeds,
                     "Slow impacts at these speeds, in c (m/s with a material): a number,\n"
                     "a,b,c, log:a:b:n or lin:a:b:n; 1e-100 c (of a sphere 1e-12 c) to\n"
@@ -226,6 +230,13 @@ void add_quasistatic(CLI::App& app) {
       "law, and the force of the exact static contact with its error",
       "DELTAS", "Body")
       ->excludes(speed);
+  add(command, "--against", arguments.encounter.against,
+      "What the body meets at the speeds (default: wall); numbers in units of\n"
+      "the body, or in SI if it has a material\n"
+      "  wall: a rigid wall; the vibration of the body takes the energy\n"
+      "  half-space: of a sphere, a large block, whose waves take the energy,\n"
+      "   keys poisson, young, density, material, c_p, c_s",
+      "{wall,half-space}[,KEY=VALUE]...", "Against");
   add_choice(command, "--law", arguments.law, {"center", "diameter", "hertz"},
              "Force against compression (default: center)\n"
              "  center:   approach of the centre of mass to the wall\n"

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
+#include <variant>
 
+#include "stoss/encounter/encounter.hpp"
 #include "stoss/poll.hpp"
 #include "stoss/quasistatic.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 
-/// What `stoss quasistatic` needs of a body at a wall: law, modes, half-width under a force, exact static contact, and
-/// how its values are shown. Speeds are in c, lengths in R.
+/// What `stoss quasistatic` needs of a contact: law, range of speeds, what takes the energy; at a wall also half-width
+/// under a force and exact static contact; and how its values are shown. Speeds are in c, lengths in R.
 namespace stoss::cli {
 
 /// A disk, which touches the wall along a line.
@@ -19,6 +22,7 @@ struct LineContact {
   quasistatic::CompressionLaw law;
   double poisson;
   double last_force = std::min(limit_force(law, poisson), quasistatic::max_hertz_force);
+  double fastest = limit_speed(law, poisson);
 
   [[nodiscard]] static const auto& quantities() { return quasistatic::rayleigh_quantities(); }
   [[nodiscard]] auto modes(double cutoff, const Poll& poll) const { return bodies::disk::modes(poisson, cutoff, poll); }
@@ -37,6 +41,7 @@ struct PointContact {
   quasistatic::PointLaw law;
   double poisson;
   double last_force = limit_force(law, poisson);
+  double fastest = limit_speed(law, poisson);
 
   [[nodiscard]] static const auto& quantities() { return quasistatic::point_rayleigh_quantities(); }
   [[nodiscard]] auto modes(double cutoff, const Poll& poll) const {
@@ -49,5 +54,23 @@ struct PointContact {
                                        quasistatic::StaticContactOptions{nodes, poll});
   }
 };
+
+/// A sphere on an elastic half-space, which carries energy away as waves.
+struct BlockContact {
+  static constexpr double slowest = quasistatic::min_point_speed;
+
+  quasistatic::PointLaw law;
+  quasistatic::BallOnHalfSpace bodies;
+  double poisson = bodies.poisson;
+  double fastest = limit_speed(law, bodies);
+
+  [[nodiscard]] static const auto& quantities() { return quasistatic::half_space_radiation_quantities(); }
+};
+
+/// @param law a word of --law
+/// @throws InvalidInput for a law of other bodies, and for what is met unless it is a wall or, by a sphere, an elastic
+/// half-space
+[[nodiscard]] std::variant<LineContact, PointContact, BlockContact> slow_contact(const Encounter& encounter,
+                                                                                 const std::string& law);
 
 }  // namespace stoss::cli

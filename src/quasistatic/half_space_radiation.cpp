@@ -46,7 +46,18 @@ double radiation_resistance(const BallOnHalfSpace& bodies) {
   return bodies::half_space::radiation_coefficient(kernel) / (bodies.density * std::pow(shear_speed(bodies), 3.0));
 }
 
+RadiusLaw radius_law(PointLaw law, const BallOnHalfSpace& bodies) {
+  return bodies.rigid ? RadiusLaw(PointLaw::hertz, 0.0, softness(bodies))
+                      : RadiusLaw(law, bodies.poisson, softness(bodies));
+}
+
 }  // namespace
+
+double limit_speed(PointLaw law, const BallOnHalfSpace& bodies) {
+  check(bodies);
+  const RadiusLaw of = radius_law(law, bodies);
+  return std::sqrt(2.0 * of.energy(of.limit()));
+}
 
 double radiation_constant(const BallOnHalfSpace& bodies) {
   check(bodies);
@@ -55,10 +66,7 @@ double radiation_constant(const BallOnHalfSpace& bodies) {
 }
 
 HalfSpaceRadiation half_space_radiation(PointLaw law, const BallOnHalfSpace& bodies, double speed) {
-  check(bodies);
-  const RadiusLaw radius_law = bodies.rigid ? RadiusLaw(PointLaw::hertz, 0.0, softness(bodies))
-                                            : RadiusLaw(law, bodies.poisson, softness(bodies));
-  const double limit = std::sqrt(2.0 * radius_law.energy(radius_law.limit()));
+  const double limit = limit_speed(law, bodies);
   std::ostringstream allowed;
   allowed.precision(std::numeric_limits<double>::digits10);
   allowed << min_point_speed << " to " << limit;
@@ -66,8 +74,9 @@ HalfSpaceRadiation half_space_radiation(PointLaw law, const BallOnHalfSpace& bod
           "in units of c of the ball; there the law of compression ends");
 
   // λ/(1 − ½λ) = w(v√(1 − ½λ)) grows and falls: one root, and w(v) bounds it.
+  const RadiusLaw of = radius_law(law, bodies);
   const double factor = 2.0 * mass * radiation_resistance(bodies);
-  const auto share = [&](double at) { return factor * PointPulse(radius_law, at).squared_force_rate(); };
+  const auto share = [&](double at) { return factor * PointPulse(of, at).squared_force_rate(); };
   const double first_order = share(speed);
   const auto excess = [&](double lambda) {
     return lambda - (1.0 - 0.5 * lambda) * share(speed * std::sqrt(1.0 - 0.5 * lambda));
@@ -82,7 +91,7 @@ HalfSpaceRadiation half_space_radiation(PointLaw law, const BallOnHalfSpace& bod
     lost = 0.5 * (ends.first + ends.second);
   }
 
-  const PointPulse pulse(radius_law, speed * std::sqrt(1.0 - 0.5 * lost));
+  const PointPulse pulse(of, speed * std::sqrt(1.0 - 0.5 * lost));
   const Pulse::Contact turn = pulse.at_phase(0.5 * pi);
   const double a = turn.radius, slowness = speed / (a * shear_speed(bodies));
   const double left_out = a * a + lost * lost + slowness * slowness;

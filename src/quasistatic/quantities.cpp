@@ -12,6 +12,13 @@ struct WithError {
   double value, error;
 };
 
+template <typename Made>
+Quantity<Made> lost_fraction() {
+  return {"lost_fraction", none, help::lost_fraction, [](const Made& its) {
+            return WithError{its.lost_fraction, its.lost_fraction_error};
+          }};
+}
+
 /// Those of Rayleigh's estimate: of the loss, of the impact that drives the modes, and what all have.
 Quantities<RayleighEstimate> of_estimate(Quantities<RayleighEstimate> quantities,
                                          const Quantities<SlowImpact>& of_impacts) {
@@ -28,12 +35,6 @@ Quantities<RayleighEstimate> of_estimate(Quantities<RayleighEstimate> quantities
   quantities.emplace_back("modes", none, "Number of modes that the impact drives",
                           [](const E& e) { return static_cast<long>(e.modes.size()); });
   return quantities;
-}
-
-Quantity<RayleighEstimate> lost_fraction() {
-  return {"lost_fraction", none, help::lost_fraction, [](const RayleighEstimate& e) {
-            return WithError{e.lost_fraction, e.lost_fraction_error};
-          }};
 }
 
 }  // namespace
@@ -58,17 +59,32 @@ const Quantities<SlowImpact>& point_slow_impact_quantities() {
 }
 
 const Quantities<RayleighEstimate>& rayleigh_quantities() {
-  static const Quantities<RayleighEstimate> all = of_estimate({lost_fraction()}, slow_impact_quantities());
+  static const Quantities<RayleighEstimate> all =
+      of_estimate({lost_fraction<RayleighEstimate>()}, slow_impact_quantities());
   return all;
 }
 
 const Quantities<RayleighEstimate>& point_rayleigh_quantities() {
   static const Quantities<RayleighEstimate> all =
-      of_estimate({lost_fraction(),
+      of_estimate({lost_fraction<RayleighEstimate>(),
                    {"mean_lost_fraction", none,
                     "Mean of the lost fraction over phases, without interference of compression and release",
                     &RayleighEstimate::mean_lost_fraction}},
                   point_slow_impact_quantities());
+  return all;
+}
+
+const Quantities<HalfSpaceRadiation>& half_space_radiation_quantities() {
+  using R = HalfSpaceRadiation;
+  static const Quantities<R> all{
+      lost_fraction<R>(),
+      {"contact_time", time, help::slow_contact_time, &R::contact_time},
+      {"max_compression", length, help::slow_max_compression, &R::max_compression},
+      {"max_force", force, help::max_force, &R::max_force},
+      {"max_radius", length, help::max_radius, &R::max_radius},
+      {"first_order", none, "Lost fraction to the first order, of the pulse of the energy before", &R::first_order},
+      {"beyond_perturbation", none, "Whether the error is above a tenth of the loss", &R::beyond_perturbation},
+  };
   return all;
 }
 

@@ -34,7 +34,8 @@ CASES = {
     "distribution": ("--speed 0.1 --samples 3 --error 0.1", [f"{DISK} --spectrum 2,0,energy=0.1", f"{BALL} --temperature 0.01"]),
     "quasistatic": ("", [f"{DISK} --speed 1e-100,1e-6,0.1 --cutoff 9", f"{DISK} --compression 1e-12,0.1",
                          f"{SPHERE} --speed 1e-12,0.1 --cutoff 9", f"{SPHERE} --compression 1e-6,0.1",
-                         f"{BALL} --speed 1e-8,1 --cutoff 9", f"{PLATE} --compression 1e-12,1e-3"]),
+                         f"{BALL} --speed 1e-8,1 --cutoff 9",
+                         f"{SPHERE} --speed 1e-12,0.1 --against half-space", f"{BALL} --speed 1 --against half-space,material=glass", f"{PLATE} --compression 1e-12,1e-3"]),
     "predict": ("--speed 0.1,1 --tolerance 0.01", [f"{BALL} --against half-space,material=glass"]),
     "pulse": ("--speed 0.1 --tolerance 0.1", [DISK, SPHERE, PLATE, ROD]),
     "row": ("--speed 0.1 --tolerance 0.1 --count 2", [DISK, SPHERE, ROD.partition(" --against")[0], f"{BALL} --against half-space,material=glass"]),
@@ -146,6 +147,9 @@ def test_fast_rows_are_flagged_and_warned_of(stoss):
     slow = stoss.run("quasistatic --body disk --poisson 0.33 --speed 0.001,0.02,0.03,0.1")
     assert [" !" in line for line in slow.stdout.splitlines()[2:]] == [False, False, True, True]
     assert slow.stderr.startswith("stoss: warning: 2 of 4 rows beyond perturbation theory")
+    block = stoss.run(f"quasistatic {SPHERE} --speed 0.01,0.1 --against half-space")
+    assert [" !" in line for line in block.stdout.splitlines()[2:]] == [False, True]
+    assert block.stderr.startswith("stoss: warning: 1 of 2 rows beyond perturbation theory (marked): lost_fraction is wrong")
     pressed = stoss.run(f"quasistatic {SPHERE} --compression 0.05,0.2")
     assert pressed.stderr.startswith("stoss: warning: 1 of 2 compressions above 0.1 R")
     table = stoss.run("table --body disk --poisson 0.33 --speed 0.6:0.7 --error 0.1", strain=True)

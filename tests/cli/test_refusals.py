@@ -107,6 +107,16 @@ quasistatic {DISK} --compression 0.01,0.3 | compression: got 0.3, allowed 1e-12 
 quasistatic {BALL} --compression lin:0.1:0.5:4 | compression: got 0.366667 of 'lin:0.1:0.5:4', allowed 1e-12 to 0.280321 R
 quasistatic {BALL} --compression 0.01 --cutoff 10 | cutoff: got --cutoff with --compression
 quasistatic {DISK} --speed 0.1 --law hertz | law: got hertz with --body disk, allowed center or diameter
+quasistatic {BALL} --speed 0.5 --against half-space | speed: got 0.5, allowed 1e-12 to
+quasistatic {BALL} --speed 0.1 --against half-space --law diameter | law: got diameter with --body sphere
+quasistatic {BALL} --speed 0.1 --against half-space --cutoff 9 | cutoff: got --cutoff with --against half-space
+quasistatic {BALL} --compression 0.1 --against half-space | compression: got --compression with --against half-space
+quasistatic {BALL} --speed 0.1 --against half-space,loss_time=1 | against loss_time: got one, allowed none
+quasistatic {BALL} --speed 0.1 --against half-space,relaxation=@none | against relaxation
+quasistatic {BALL} --speed 0.1 --against half-space,young=1e7 | young: got 1
+quasistatic {BALL} --speed 0.1 --against same | against: got same, allowed a smooth wall, or with --body sphere a half-space
+quasistatic {BALL} --speed 0.1 --against wall,roughness=0.1 | against: got wall with numbers
+quasistatic {DISK} --speed 0.1 --against half-plane | against: got half-plane
 quasistatic {BALL} --speed 0.1 --law diameter | law: got diameter with --body sphere, allowed center or hertz
 predict --body disk --poisson 0.3 --young 2e11 --density 7800 --radius 0.01 --speed 1 | body: got a disk
 predict {BALL} --speed 0.1 | material: missing

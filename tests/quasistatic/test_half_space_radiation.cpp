@@ -113,6 +113,19 @@ TEST(HalfSpaceRadiation, MeetsTheFullSolution) {
   EXPECT_NEAR(half_space_radiation(PointLaw::center, bodies, 1.0 / c).lost_fraction, 0.0085314, 7.5e-6);
 }
 
+TEST(HalfSpaceRadiation, GoesUpToItsLimit) {
+  for (const bool rigid : {false, true}) {
+    const BallOnHalfSpace bodies = of_one_material(0.3, rigid);
+    const double limit = limit_speed(PointLaw::center, bodies);
+    EXPECT_NO_THROW((void)half_space_radiation(PointLaw::center, bodies, limit));
+    test::expect_refusal([&] { (void)half_space_radiation(PointLaw::center, bodies, std::nextafter(limit, 1.0)); },
+                         {"speed", "1e-12"});
+    // Hertz' law ends where the contact is as wide as the ball: (8/15) a⁵/(π S) = ½v².
+    if (rigid) EXPECT_NEAR(limit, std::sqrt(0.8 / (std::numbers::pi * 0.91)), 1e-12);
+  }
+  test::expect_refusal([] { (void)limit_speed(PointLaw::center, {.young = 2e6}); }, {"young"});
+}
+
 TEST(HalfSpaceRadiation, RefusesWhatIsOutOfRange) {
   const auto of = [](BallOnHalfSpace bodies, double speed = 1e-3) {
     return [bodies, speed] { (void)half_space_radiation(PointLaw::center, bodies, speed); };

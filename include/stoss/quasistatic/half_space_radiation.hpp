@@ -31,6 +31,10 @@ struct BallOnHalfSpace {
 /// @throws InvalidInput outside the ranges of BallOnHalfSpace
 [[nodiscard]] double radiation_constant(const BallOnHalfSpace& bodies);
 
+/// Highest speed that half_space_radiation accepts, in c, at which the law of the ball's compression ends.
+/// @throws InvalidInput outside the ranges of BallOnHalfSpace
+[[nodiscard]] double limit_speed(PointLaw law, const BallOnHalfSpace& bodies);
+
 /// Loss of a slow ball to a half-space, with the inputs that made it. Compression, force, radius and contact time are
 /// those of the pulse of the mean energy.
 struct HalfSpaceRadiation {
@@ -53,7 +57,7 @@ struct HalfSpaceRadiation {
 /// At ν = 0.3, one material, with the law of the centre, it differs from the full solution by 0.00, 0.4, 2.3 and 21 %
 /// at v = 1e-4, 1e-3, 0.01 and 0.1 (rigid ball: 0.01, 0.08, 0.7, 5 %).
 /// @param law   that of the ball's own compression. A rigid ball has Hertz' contact in either case
-/// @param speed v, min_point_speed to where the contact is as wide as the ball, c
+/// @param speed v, min_point_speed to limit_speed(law, bodies), c
 /// @throws InvalidInput outside these ranges
 [[nodiscard]] HalfSpaceRadiation half_space_radiation(PointLaw law, const BallOnHalfSpace& bodies, double speed);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stoss/quantity.hpp"
+#include "stoss/quasistatic/half_space_radiation.hpp"
 #include "stoss/quasistatic/rayleigh.hpp"
 #include "stoss/quasistatic/slow_impact.hpp"
 
@@ -20,5 +21,8 @@ namespace stoss::quasistatic {
 
 /// Quantities of Rayleigh's estimate for a sphere, those of the impact that drives the modes included.
 [[nodiscard]] const Quantities<RayleighEstimate>& point_rayleigh_quantities();
+
+/// Quantities of the loss of a slow ball to a half-space.
+[[nodiscard]] const Quantities<HalfSpaceRadiation>& half_space_radiation_quantities();
 
 }  // namespace stoss::quasistatic

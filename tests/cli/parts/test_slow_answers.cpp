@@ -45,6 +45,22 @@ TEST(Answers, OfSlowImpactsAreThoseOfTheLibrary) {
   }
 }
 
+TEST(Answers, OfBlocksAreThoseOfTheLibrary) {
+  using namespace quasistatic;
+  const auto expect_row = [](const Case& of, const std::string& block, const BallOnHalfSpace& bodies) {
+    const auto document =
+        answer("quasistatic", of, "--against half-space" + block + " --law hertz --speed " + of.speed);
+    expect_all(document, 0, half_space_radiation_quantities(),
+               half_space_radiation(PointLaw::hertz, bodies, of.speed_in_c()), of.encounter());
+    EXPECT_FALSE(document.contains("modes") || document.at("inputs").contains("cutoff"));
+  };
+  const Case ratios{"--body sphere --poisson 0.3",
+                    R"({"first":{"kind":"sphere","poisson":0.3},"against":{"kind":"half-space"}})", "0.01"};
+  expect_row(ratios, "", {.poisson = 0.3, .half_space_poisson = 0.3});
+  expect_row(ratios, ",poisson=0.2,young=0.5,density=0.4",
+             {.poisson = 0.3, .half_space_poisson = 0.2, .young = 0.5, .density = 0.4});
+}
+
 TEST(Answers, OfCompressionsAreThoseOfTheLibrary) {
   using namespace quasistatic;
   const Json line = answer("quasistatic", {"--body disk --poisson 0.33", "", ""}, "--compression 0.01")["records"][0];
