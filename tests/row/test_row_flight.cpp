@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "stoss/bodies/half_space.hpp"
@@ -11,6 +12,7 @@
 #include "stoss/restitution.hpp"
 #include "stoss/row/curve.hpp"
 #include "stoss/row/row.hpp"
+#include "support/refusal.hpp"
 #include "support/rows.hpp"
 
 namespace stoss {
@@ -118,6 +120,24 @@ TEST(RowFlight, IsTheSameWithAnyThreads) {
       EXPECT_EQ(after, found[k++]) << threads;
     });
   }
+}
+
+TEST(RowFlight, ThatFailsDoesNotEndTheRest) {
+  Row pair = test::equal(sphere(0.3), 2);
+  pair.wall_before = true;
+  const std::vector<Speeds> speeds{{0.0, -1.0}, {0.0, -0.05}};
+  std::vector<RowResult> found;
+  row_curve(pair, speeds, {}, [&](std::size_t, const RowResult& result) { found.push_back(result); });
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_NE(found[0].reason.find("speed too high"), std::string::npos) << found[0].reason;
+  EXPECT_FALSE(found[0].converged);
+  EXPECT_TRUE(std::isnan(found[0].velocities_after[1].value) && std::isnan(found[0].finest.energy_error));
+  ASSERT_EQ(found[0].finest.contacts.size(), 2U);
+  EXPECT_EQ(found[0].finest.contacts[0].left, -1);
+  EXPECT_TRUE(found[1].converged) << found[1].reason;
+  EXPECT_NO_THROW(check(pair, speeds, {}));
+  test::expect_refusal([&] { check(pair, speeds, {.threads = -1}); }, {"threads", "-1"});
+  test::expect_refusal([&] { check(pair, {{0.1}}, {}); }, {"speed"});
 }
 
 // What stands at an end is computed from its first touch on: a ball comes back the same from however far away.

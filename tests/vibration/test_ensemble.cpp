@@ -58,6 +58,21 @@ TEST(ThermalSpectrum, LeavesBodiesAtRestThatAreNotThereAsAWhole) {
   for (const MeanEnergy& mode : thermal(large, 0.1, 10.0)) EXPECT_EQ(mode.body, 0);
 }
 
+TEST(ThermalSpectrum, HasTheFrequenciesOfItsModes) {
+  const RefinableContact pair(rod(), rod(Rod{.length = 0.5}));
+  const Spectrum both = thermal(pair, 0.01, 20.0);
+  const std::vector<double> found = frequencies(pair, both);
+  ASSERT_EQ(found.size(), both.size());
+  std::vector<double> expected;
+  for (const MeanEnergy& mode : both) {
+    expected.push_back(std::numbers::pi * (mode.body == 0 ? 1.0 : 2.0) * (mode.index + 1));
+  }
+  for (std::size_t k = 0; k < found.size(); ++k) EXPECT_NEAR(found[k], expected[k], 1e-12) << k;
+  // One of a mode beyond the first cutoffs has it too.
+  EXPECT_NEAR(frequencies(pair, {{.index = 39, .energy = 1.0}}).front(), 40.0 * std::numbers::pi, 1e-9);
+  EXPECT_EQ(usual_highest(pair), 10.0);
+}
+
 TEST(ThermalSpectrum, RefusesWhatItCannotMean) {
   const RefinableContact body(disk(0.33));
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
