@@ -116,7 +116,7 @@ TEST(Surfaces, AreWhereTheirWavesAre) {
   const Encounter encounter{.first = {.kind = "sphere", .values = {{"poisson", 0.3}}},
                             .against = {.kind = "plate", .values = {{"thickness", 1.0}, {"poisson", 0.3}}}};
   constexpr double latest = 15.0, time = 5.0, reach = 3.0, thickness = 1.0;
-  const std::vector<double> lateral{0.0, 0.75, 1.5, 2.25};
+  const std::vector<double> lateral{0.375, 1.125, 1.875, 2.625};
   const bodies::half_space::PlaneGrid faces{lateral, {0.0, thickness}};
   const Contact contact = lasting(encounter, cutoff, latest, faces);
   const Impact its = impact(contact, speed);
