@@ -93,7 +93,7 @@ TEST(InnerFields, OfTheSecondBallAreInUnitsOfTheFirst) {
 
 TEST(InnerFields, AreOfDisksAndSpheresAlone) {
   test::expect_refusal([] { (void)Repeated({.first = of_kind("rod")}).fields(0); }, {"body", "only disks and spheres"});
-  test::expect_refusal([] { (void)Repeated({.first = of_kind("disk")}).fields(1); }, {"body"});
+  test::expect_refusal([] { (void)Repeated({.first = {.values = {{"poisson", 0.3}}}}).fields(1); }, {"body"});
 }
 
 TEST(ModeShares, AreThoseOfTheImpactBeforeAndAfterIt) {
