@@ -138,7 +138,7 @@ void impacts(const QuasistaticArguments& arguments, const Of& of, const Encounte
   if (beyond > 0) {
     output.warn(fmt::format(
         "{} of {} rows beyond perturbation theory (marked): lost_fraction is {} (see stoss restitution)", beyond,
-        speeds.size(), by_modes ? "no estimate there, but far too large" : "wrong by more than a tenth there"));
+        speeds.size(), by_modes ? "no estimate there, but far too large" : "known no better than to a tenth there"));
   }
   warn_of_materials(output, encounter, *std::max_element(speeds.begin(), speeds.end()));
 }
