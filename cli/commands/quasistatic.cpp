@@ -11,7 +11,6 @@
 #include "input/inputs.hpp"
 #include "output/output_options.hpp"
 #include "process/process.hpp"
-#include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/restitution.hpp"
@@ -143,7 +142,6 @@ void impacts(const QuasistaticArguments& arguments, const Of& of, const Encounte
   warn_of_materials(output, encounter, *std::max_element(speeds.begin(), speeds.end()));
 }
 
-/// Refuses an option with another one.
 void refuse_with(const QuasistaticArguments& arguments, const std::string& name, const std::string& other,
                  const std::string& allowed, const std::string& hint) {
   if (!given(*arguments.command, "--" + name)) return;
