@@ -7,7 +7,6 @@
 
 #include "stoss/errors.hpp"
 #include "stoss/table/collide.hpp"
-#include "support/refusal.hpp"
 #include "support/rules.hpp"
 
 namespace stoss {
