@@ -51,12 +51,13 @@ RadiusLaw radius_law(PointLaw law, const BallOnHalfSpace& bodies) {
                       : RadiusLaw(law, bodies.poisson, softness(bodies));
 }
 
+double limit_speed(const RadiusLaw& law) { return std::sqrt(2.0 * law.energy(law.limit())); }
+
 }  // namespace
 
 double limit_speed(PointLaw law, const BallOnHalfSpace& bodies) {
   check(bodies);
-  const RadiusLaw of = radius_law(law, bodies);
-  return std::sqrt(2.0 * of.energy(of.limit()));
+  return limit_speed(radius_law(law, bodies));
 }
 
 double radiation_constant(const BallOnHalfSpace& bodies) {
@@ -66,7 +67,9 @@ double radiation_constant(const BallOnHalfSpace& bodies) {
 }
 
 HalfSpaceRadiation half_space_radiation(PointLaw law, const BallOnHalfSpace& bodies, double speed) {
-  const double limit = limit_speed(law, bodies);
+  check(bodies);
+  const RadiusLaw of = radius_law(law, bodies);
+  const double limit = limit_speed(of);
   std::ostringstream allowed;
   allowed.precision(std::numeric_limits<double>::digits10);
   allowed << min_point_speed << " to " << limit;
@@ -74,7 +77,6 @@ HalfSpaceRadiation half_space_radiation(PointLaw law, const BallOnHalfSpace& bod
           "in units of c of the ball; there the law of compression ends");
 
   // λ/(1 − ½λ) = w(v√(1 − ½λ)) grows and falls: one root, and w(v) bounds it.
-  const RadiusLaw of = radius_law(law, bodies);
   const double factor = 2.0 * mass * radiation_resistance(bodies);
   const auto share = [&](double at) { return factor * PointPulse(of, at).squared_force_rate(); };
   const double first_order = share(speed);
