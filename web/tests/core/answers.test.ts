@@ -42,7 +42,7 @@ const steel = made('bearing steel', 0.005);
 const at = (against: Choice['against'], first = steel, second: Body = made('glass', 0.01)): Encounter =>
   encounterOf({ kind: 'sphere', si: true, plane: 'stress', against }, first, { ...second, thickness: 0.01 });
 
-describe.skipIf(!hasCommand)('an answer', { timeout: 60_000 }, () => {
+describe.skipIf(!hasCommand)('an answer', () => {
   const more: [Encounter, number, number][] = [
     [one, 0.01, 1e-3], [one, 0.3, 1e-3], [one, 1e-5, 1e-2], [like(one, { first: { ...unitBody, poisson: 0.9 } }), 0.3, 1e-3],
     [ball, 0.1, 1e-3], [ball, 1e-6, 1e-2], [like(ball, { against: 'same' }), 0.05, 1e-3],
@@ -110,14 +110,14 @@ describe.skipIf(!hasCommand)('an answer', { timeout: 60_000 }, () => {
   });
 });
 
-it('about a hollow sphere says where linear elasticity of its shell ends', { timeout: 60_000 }, () => {
+it('about a hollow sphere says where linear elasticity of its shell ends', () => {
   const encounter = like(ball, { kind: 'hollow-sphere', si: true, first: { ...made('PMMA', 0.02), inner: 0.9 } });
   const linesAt = (speed: number) => ask('restitution', encounter, { speed, tolerance }).value.materialWarnings;
   expect(linesAt(20)).toEqual([]);
   expect(linesAt(60)).toEqual([expect.stringMatching(/^the shell gives way by more than its thickness from about 24\.3 m\/s on/)]);
 });
 
-describe('many answers', { timeout: 60_000 }, () => {
+describe('many answers', () => {
   it('are those at each speed', () => {
     const speeds = [0.2, 0.01, 0.05];
     const points = ask('curve', one, { speeds, tolerance: 1e-3 }).all;

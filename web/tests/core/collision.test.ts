@@ -29,7 +29,7 @@ function trajectory(encounter: Encounter, speed: number, cutoff: number): Record
   return Object.fromEntries(names.map((name, k) => [name, rows.map((row) => Number(row.split(',')[k]))]));
 }
 
-describe.skipIf(!hasCommand)('a collision', { timeout: 60_000 }, () => {
+describe.skipIf(!hasCommand)('a collision', () => {
   it.each([...chosen, 18, 19])('is the impact of the command: case %i', (index) => {
     const { encounter, speed } = cases[index]!;
     const { si } = meetingOf(encounter);
@@ -72,7 +72,7 @@ function front(encounter: Encounter, frame: Frame, body: 0 | 1, radius: number):
   return seen.center + (body === 0 ? 1 : -1) * radius * ((rod ? 0.5 : 1) + u);
 }
 
-describe('frames', { timeout: 60_000 }, () => {
+describe('frames', () => {
   it.each(chosen)('show bodies that touch: case %i', (index) => {
     const { encounter, speed } = cases[index]!;
     const cutoff = cutoffOf(encounter, speed);
@@ -101,7 +101,7 @@ describe('frames', { timeout: 60_000 }, () => {
   });
 });
 
-it('frames of a plate bend both of its faces', { timeout: 60_000 }, () => {
+it('frames of a plate bend both of its faces', () => {
   const second = { ...unitBody, poisson: 0.3, young: 3, density: 4, thickness: 0.5 };
   const encounter = like(cases[4]!.encounter, { against: 'plate', second });
   const { end } = ask('collision', encounter, { speed: 0.02, cutoff: 8 }).value;

@@ -9,7 +9,7 @@ import { ask } from './wasm';
 const tolerance = 1e-2;
 const all = obliqueCases.map((inputs, index) => [index, inputs] as const);
 
-describe('an oblique collision', { timeout: 60_000 }, () => {
+describe('an oblique collision', () => {
   it.each(all)('of case %i ends as its rule says', (_, inputs) => {
     const { encounter } = inputs;
     const motion = motionOf(inputs);

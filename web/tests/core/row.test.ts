@@ -15,7 +15,7 @@ const sphere = { kind: 'sphere', poisson: 0.3 } as const;
 const three: Row = { bodies: [sphere, sphere, sphere] };
 const after = (bodies: readonly Numbers[]): number[] => bodies.map(({ velocity_after: its }) => its!.value);
 
-describe('a row of three balls', { timeout: 60_000 }, () => {
+describe('a row of three balls', () => {
   const fast = ask('row', three, { speeds: [0.1], tolerance });
   it('has the velocities of finite elements', () => {
     expect(fast.converged).toBe(true);
@@ -65,7 +65,7 @@ describe('a row of three balls', { timeout: 60_000 }, () => {
   });
 });
 
-describe('the rows of the page', { timeout: 60_000 }, () => {
+describe('the rows of the page', () => {
   it('are computed in SI, again too', () => {
     const speeds = speedsOf(usual);
     const row = rowOf(usual);

@@ -70,7 +70,7 @@ describe.skipIf(command === undefined || python === undefined)('Python', () => {
       const [row] = (JSON.parse(native(index, 'json')) as { records: Row[] }).records;
       expect(Math.abs(values[index]! - row!.restitution), pythonLines(cases[index]!)).toBeLessThan(1e-12);
     });
-  }, 60_000);
+  });
   it('gives those of the collision rule', () => {
     const program = obliqueCases.map((inputs) => pythonLines(inputs)
       .replace(/print\((.*)\)/, 'print(repr(float($1.tangential_restitution)))')).join('\n');
@@ -80,5 +80,5 @@ describe.skipIf(command === undefined || python === undefined)('Python', () => {
         { records: Record<string, number>[] }).records;
       expect(Math.abs(values[index]! - row!.tangential_restitution!), `${ruleArguments(inputs)}`).toBeLessThan(1e-12);
     });
-  }, 60_000);
+  });
 });

@@ -5,7 +5,7 @@ import { type Site, disk, missing, startSite } from './browser';
 
 describe.skipIf(missing !== '')(`the page${missing && ` (${missing})`}`, () => {
   let site: Site;
-  beforeAll(async () => void (site = await startSite()), 60_000);
+  beforeAll(async () => void (site = await startSite()));
   afterAll(() => site.close());
   afterEach(() => expect(site.troubles.splice(0)).toEqual([]));
 
@@ -65,4 +65,4 @@ describe.skipIf(missing !== '')(`the page${missing && ` (${missing})`}`, () => {
     expect(metrics.find(({ name }) => name === 'ThreadTime')!.value).toBeLessThan(3); // s of the page's own thread
     await page.context().close();
   });
-}, 60_000);
+});

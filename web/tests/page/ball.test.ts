@@ -16,7 +16,7 @@ async function predicted(page: Page): Promise<string> {
 
 describe.skipIf(missing !== '')(`a real ball${missing && ` (${missing})`}`, () => {
   let site: Site;
-  beforeAll(async () => void (site = await startSite()), 60_000);
+  beforeAll(async () => void (site = await startSite()));
   afterAll(() => site.close());
   afterEach(() => expect(site.troubles.splice(0)).toEqual([]));
 
@@ -148,4 +148,4 @@ describe.skipIf(missing !== '')(`a real ball${missing && ` (${missing})`}`, () =
     await printed;
     await page.context().close();
   });
-}, 60_000);
+});

@@ -16,7 +16,7 @@ const rects = (page: Page, host: string): Promise<number> => page.locator(`${hos
 
 describe.skipIf(missing !== '')(`the cradle${missing && ` (${missing})`}`, () => {
   let site: Site;
-  beforeAll(async () => void (site = await startSite()), 60_000);
+  beforeAll(async () => void (site = await startSite()));
   afterAll(() => site.close());
   afterEach(() => expect(site.troubles.splice(0)).toEqual([]));
 

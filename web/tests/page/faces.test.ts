@@ -6,7 +6,7 @@ const steel = 'body=sphere&units=SI&nu=0.3&E=2.1e11&rho=7810&R=0.005&Q=3000';
 
 describe.skipIf(missing !== '')(`rough and coated faces${missing && ` (${missing})`}`, () => {
   let site: Site;
-  beforeAll(async () => void (site = await startSite()), 60_000);
+  beforeAll(async () => void (site = await startSite()));
   afterAll(() => site.close());
   afterEach(() => expect(site.troubles.splice(0)).toEqual([]));
 
@@ -46,4 +46,4 @@ describe.skipIf(missing !== '')(`rough and coated faces${missing && ` (${missing
     expect(await settled(page)).toMatch(/^0\.\d+ ± /);
     await page.context().close();
   });
-}, 60_000);
+});

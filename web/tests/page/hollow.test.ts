@@ -9,7 +9,7 @@ const block = '&against=half-space&nu2=0.3&E2=0.5&rho2=1';
 
 describe.skipIf(missing !== '')(`a hollow sphere${missing && ` (${missing})`}`, () => {
   let site: Site;
-  beforeAll(async () => void (site = await startSite()), 60_000);
+  beforeAll(async () => void (site = await startSite()));
   afterAll(() => site.close());
   afterEach(() => expect(site.troubles.splice(0)).toEqual([]));
 
@@ -45,4 +45,4 @@ describe.skipIf(missing !== '')(`a hollow sphere${missing && ` (${missing})`}`, 
     expect(shown.startsWith(restitution.toFixed(digits!.length))).toBe(true);
     await page.context().close();
   });
-}, 60_000);
+});

@@ -9,7 +9,7 @@ const ball =
 
 describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing})`}`, () => {
   let site: Site;
-  beforeAll(async () => void (site = await startSite()), 60_000);
+  beforeAll(async () => void (site = await startSite()));
   afterAll(() => site.close());
   afterEach(() => expect(site.troubles.splice(0)).toEqual([]));
 
@@ -261,4 +261,4 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
     levels.forEach((level, index) => expect(level - (levels[index - 1] ?? 0)).toBeLessThanOrEqual(1));
     await page.context().close();
   });
-}, 60_000);
+});

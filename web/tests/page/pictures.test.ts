@@ -14,7 +14,7 @@ const time = (page: Page): Promise<string | null> => page.getAttribute('.scene-t
 
 describe.skipIf(missing !== '')(`the pictures of the page${missing && ` (${missing})`}`, () => {
   let site: Site;
-  beforeAll(async () => void (site = await startSite()), 60_000);
+  beforeAll(async () => void (site = await startSite()));
   afterAll(() => site.close());
   afterEach(() => expect(site.troubles.splice(0)).toEqual([]));
 
@@ -76,4 +76,4 @@ describe.skipIf(missing !== '')(`the pictures of the page${missing && ` (${missi
       await page.context().close();
     }
   });
-}, 60_000);
+});

@@ -7,11 +7,11 @@ const glass = 'nu2=0.22&E2=7e10&rho2=2500&Q2=1000';
 
 describe.skipIf(missing !== '')(`real materials${missing && ` (${missing})`}`, () => {
   let site: Site;
-  beforeAll(async () => void (site = await startSite()), 60_000);
+  beforeAll(async () => void (site = await startSite()));
   afterAll(() => site.close());
   afterEach(() => expect(site.troubles.splice(0)).toEqual([]));
 
-  it('have a prediction with its channels, and a curve of the model', { timeout: 60_000 }, async () => {
+  it('have a prediction with its channels, and a curve of the model', async () => {
     const page = await site.open(`?${steel}&v=1`);
     await settled(page);
     await page.waitForSelector('.channels', { timeout: 30_000 });
@@ -40,7 +40,7 @@ describe.skipIf(missing !== '')(`real materials${missing && ` (${missing})`}`, (
     [`${steel.replace('2.1e11', '2.2e11')}&v=1`, false], [`${steel}&v=1&mu=0.3&angle=20`, false],
     [`${steel}&v=1&against=half-space&${glass}`, true], [`${steel}&v=1&against=plate&h2=0.01&${glass}`, true],
     [`${steel}&v=1&against=body&R2=0.01&${glass}`, true], [`${steel}&v=1&against=same`, true],
-  ] as const)('are those of balls of a named material only: %s', { timeout: 60_000 }, async (query, there) => {
+  ] as const)('are those of balls of a named material only: %s', async (query, there) => {
     const page = await site.open(`?${query}`);
     await settled(page);
     expect(await page.isVisible('#prediction')).toBe(there);
@@ -48,7 +48,7 @@ describe.skipIf(missing !== '')(`real materials${missing && ` (${missing})`}`, (
     await page.context().close();
   });
 
-  it('go as soon as the inputs are of no real material', { timeout: 60_000 }, async () => {
+  it('go as soon as the inputs are of no real material', async () => {
     const page = await site.open(`?${steel}&v=1`);
     await settled(page);
     await page.waitForFunction(() => document.getElementById('curve-chart')!.textContent!.includes('model'),

@@ -30,7 +30,7 @@ function rowsOf(csv: string): Record<string, string>[] {
 
 describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missing})`}`, () => {
   let site: Site;
-  beforeAll(async () => void (site = await startSite()), 60_000);
+  beforeAll(async () => void (site = await startSite()));
   afterAll(() => site.close());
   afterEach(() => expect(site.troubles.splice(0)).toEqual([]));
 
@@ -245,4 +245,4 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
     expect([...site.transferred.keys()].some((path) => path.endsWith('.wasm'))).toBe(true);
     expect(bytes).toBeLessThan(1.5e6);
   });
-}, 60_000);
+});

@@ -57,7 +57,7 @@ describe.skipIf(missing !== '')(`a translation${missing && ` (${missing})`}`, ()
     ['', '#predicted'], [`?${friction}`, '#hops output'], [disk, '.mode-bar'], [`${disk}&mu=0.3&angle=20&keep=body:sphere,nu:0.3`, '#kept li'],
     ['?body=sphere&units=SI&nu=0.3&E=2.1e11&rho=7810&R=0.005&eta=5.305164769729845e-9&v=1&colour=red', '.channels'],
     ['?body=rod&v=0.1&against=body&E2=1&rho2=1&R2=2.5&A2=1&view=simple', '#epsilon-short'],
-  ])('shows no word beside the table: %s', { timeout: 60_000 }, async (query, there) => {
+  ])('shows no word beside the table: %s', async (query, there) => {
     const page = await site.open(query, { reducedMotion: 'reduce' }, async (fresh) => fresh.addInitScript(() => {
       const drawn: string[] = [];
       Object.assign(window, { drawn });
@@ -76,4 +76,4 @@ describe.skipIf(missing !== '')(`a translation${missing && ` (${missing})`}`, ()
     expect(await page.getAttribute('html', 'lang')).toBe('eo');
     await page.context().close();
   });
-}, 60_000);
+});

@@ -6,13 +6,13 @@ const most = 650e3; // bytes after gzip
 
 describe.skipIf(missing !== '')(`the page${missing && ` (${missing})`}`, () => {
   let site: Site;
-  beforeAll(async () => void (site = await startSite()), 60_000);
+  beforeAll(async () => void (site = await startSite()));
   afterAll(() => site.close());
 
   it.each([
     ['of a ball on glass', '?body=sphere&units=SI&nu=0.3&E=2.1e11&rho=7810&R=0.005&v=1&against=half-space&nu2=0.22&E2=7e10&rho2=2500'],
     ['as it opens', ''],
-  ])('has little to load before its first value: %s', { timeout: 60_000 }, async (_, query) => {
+  ])('has little to load before its first value: %s', async (_, query) => {
     site.transferred.clear();
     const page = await site.open(query);
     await settled(page);
