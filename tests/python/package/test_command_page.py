@@ -10,14 +10,16 @@ from pathlib import Path
 
 import pytest
 
-from test_guide import ROOT, agrees
+from test_guide import FILES, ROOT, agrees
 
 COMMAND = "docs/reference/command.md"
-PAGES = [COMMAND, "docs/start/first_impact.md", "docs/tutorials/event_driven.md"]
 
 
 def of(page):
     return (ROOT / page).read_text(encoding="utf-8")
+
+
+PAGES = sorted(page for each in ROOT.glob("docs/**/*.md") if "```sh\n" in of(page := str(each.relative_to(ROOT))))
 
 
 @pytest.mark.parametrize("page", PAGES)
@@ -28,6 +30,8 @@ def test_page(page, tmp_path):
         if shutil.which("cc") is None:
             pytest.skip("needs cc")
         (tmp_path / name).write_text(source)
+    if page in FILES:
+        shutil.copy(ROOT / FILES[page], tmp_path)
     folders = Path(os.environ["STOSS"]).parent, Path(sys.executable).parent  # with the package, for `stoss fit`
     environment = {**os.environ, "PATH": os.pathsep.join([*map(str, folders), os.environ["PATH"]])}
     wrong = []
