@@ -22,9 +22,9 @@ export default defineConfig(({ mode }) => ({
   },
   worker: { format: 'es' },
   server: { host: '127.0.0.1' }, // a machine without a hosts file knows no localhost
-  // No test is one of speed: what takes 1 s alone takes 5 beside a compiler.
+  // No test is one of speed: what takes 1 s alone takes 5 beside a compiler. CTest ends what hangs.
   test: {
     include: ['tests/{core,unit,native,page,smoke}/**/*.test.ts'], setupFiles: ['tests/setup.ts'],
-    testTimeout: 60_000, hookTimeout: 60_000,
+    testTimeout: 300_000, hookTimeout: 300_000,
   },
 }));

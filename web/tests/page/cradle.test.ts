@@ -86,4 +86,4 @@ describe.skipIf(missing !== '')(`the cradle${missing && ` (${missing})`}`, () =>
     expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
     await page.context().close();
   });
-}, 180_000);
+});

@@ -46,7 +46,7 @@ describe.skipIf(missing !== '')(`a translation${missing && ` (${missing})`}`, ()
       cwd: fileURLToPath(new URL('../../', import.meta.url)), env: { ...process.env, STOSS_WORDS: table },
     });
     site = await startSite(join(folder, 'page'));
-  }, 120_000);
+  });
   afterAll(async () => {
     await site?.close();
     rmSync(folder, { recursive: true });
