@@ -169,3 +169,33 @@ def test_a_strength_makes_a_body_yield_and_says_no_more(stoss):
     assert "yields above" in elastic.stderr and "yields above" not in yields.stderr
     assert other["restitution"] < one["restitution"] and other["yielded"] > 0.05 and other["dent"] > 0
     assert one["yielded"] == one["dent"] == 0
+
+
+WAVES = "--c-p 5900 --c-s 3200 --density 7800"
+
+
+def test_speeds_of_waves_make_a_material(stoss):
+    ratio = (5900 / 3200) ** 2
+    poisson = (ratio - 2) / (2 * ratio - 2)
+    young = 2 * 7800 * 3200**2 * (1 + poisson)
+    ball = "restitution --body sphere --radius 0.01 --speed 1 --format csv"
+    (waves,) = rows(stoss.run(f"{ball} {WAVES} --against half-space,c_p=5000,c_s=3000,density=2500").stdout)
+    usual = f"--young {young!r} --poisson {poisson!r} --density 7800"
+    (moduli,) = rows(stoss.run(f"{ball} {usual} --against half-space,c_p=5000,c_s=3000,density=2500").stdout)
+    for name in ("poisson", "restitution", "contact_time_si[s]"):
+        assert float(waves[name]) == pytest.approx(float(moduli[name]), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    "given, said",
+    [
+        ("--c-p 5900 --density 7800", "c_s: "),
+        ("--c-p 5900 --c-s 3200", "density: "),
+        (f"{WAVES} --young 2e11", "young: c_p and c_s give it"),
+        (f"{WAVES} --poisson 0.3", "poisson: c_p and c_s give it"),
+        ("--c-p 3200 --c-s 3200 --density 7800", "c_p: got 3200, allowed above sqrt(4/3) c_s"),
+    ],
+)
+def test_what_makes_no_material_of_waves(stoss, given, said):
+    run = stoss.run(f"restitution --body sphere --radius 0.01 --speed 1 {given}")
+    assert run.returncode == 3 and said in run.stderr and run.stderr.count("\n") == 1

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,6 +64,25 @@ TEST(ModalPrediction, CarriesTheErrorOfTheCompliance) {
   };
   EXPECT_GT(error(worse), 4.0 * error(file));
   EXPECT_LT(error(worse), 8.0 * error(file));
+}
+
+TEST(ModalPrediction, ChangesWithItsConstantsAsThatOfTheSphere) {
+  const auto [of_file, itself] = pairs()[1];
+  const PredictionOptions options{.uncertainties = {{"young", 0.1}, {"density", 0.1}, {"yield_strength", 0.1}}};
+  const auto found = predict(of_file, {0.5}, options).front(), exact = predict(itself, {0.5}, options).front();
+  ASSERT_EQ(found.influences.size(), 3U);
+  ASSERT_EQ(exact.influences.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(found.influences[i].constant, exact.influences[i].constant);
+    EXPECT_NEAR(found.influences[i].change, exact.influences[i].change, 0.05 * std::abs(exact.influences[i].change));
+  }
+}
+
+TEST(ModalPrediction, IsOfNoSoftWall) {
+  const std::string wall = R"({"kind": "exponential", "hardness": 300})";
+  const Encounter encounter = encounter_from_json(meeting_of(body_of_file("sphere", yields), wall));
+  test::expect_refusal([&] { (void)predict(encounter, {0.5}); },
+                       {"against", "exponential", "half-space, plate or modal"});
 }
 
 TEST(ModalPrediction, IsATable) {

@@ -1,6 +1,7 @@
 // One run of a row: its account of momentum and energy, its convergence, its forces, its bits; and what is refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -143,6 +144,23 @@ TEST(RowRun, ABallBetweenWallsGoesOn) {
   EXPECT_EQ(once.contacts[0].touches, 0);
 }
 
+TEST(RowRun, BeginAsTheyWereLeft) {
+  const Row three = equal(sphere(0.3), 3);
+  const Speeds speeds{0.05, 0.0, 0.0};
+  const RowImpact plain = row_impact(three, speeds, 8.0);
+  const auto begun = [&](const RowState& state) {
+    return row_impact(three, speeds, 8.0, {}, {.start = &state}).velocities_after;
+  };
+  EXPECT_NE(begun(plain.after), plain.velocities_after);
+  RowState state = plain.after;
+  for (auto* each : {&state.coordinate, &state.momentum}) {
+    for (auto& of_body : *each) std::fill(of_body.begin(), of_body.end(), 0.0);
+  }
+  EXPECT_EQ(begun(state), plain.velocities_after);
+  state.coordinate.pop_back();
+  test::expect_refusal([&] { (void)begun(state); }, {"start", "2 bodies", "3"});
+}
+
 TEST(RowRun, RefuseWhatIsNoRow) {
   const Row three = equal(sphere(0.3), 3);
   const auto refused = [](const Row& row, const Speeds& speeds, const std::vector<std::string>& parts) {
@@ -168,6 +186,13 @@ TEST(RowRun, RefuseWhatIsNoRow) {
   Row vibrating = three;
   vibrating.vibration = {{.body = 3, .order = 2, .index = 0, .energy = 0.1}};
   refused(vibrating, {0.1, 0.0, 0.0}, {"vibration body", "0 to 2"});
+  vibrating.vibration.front().body = 0, vibrating.vibration.front().index = 100;
+  test::expect_refusal(
+      [&] {
+        (void)row_impact(vibrating, {0.1, 0.0, 0.0}, 8.0);
+      },
+      {"mode (2, 100) of body 0", "up to"});
+  test::expect_refusal([&] { (void)row_impact(three, {0.1, 0.0, 0.0}, 8.0, {}, {.until = 1e12}); }, {"until", "steps"});
   test::expect_refusal([&] { (void)stoss::row(three, {0.1, 0.0, 0.0}, {.tolerance = 0.0}); }, {"tolerance"});
 }
 
