@@ -26,7 +26,7 @@ for path, lines in ran.items():
 print(f"{'folder':32} {'lines ran':>10} {'of':>6} {'share':>8}")
 for folder, (hit, of) in sorted(folders.items()):
     print(f"{folder:32} {hit:10} {of:6} {hit / of:8.2%}")
-for part, floor in (("src", 0.98), ("cli", 0.96)):
+for part, floor in (("src", 0.982), ("cli", 0.965)):
     hit, of = folders[f"{part}, all"]
     if hit < floor * of:
         sys.exit(f"coverage: {part}: got {hit / of:.2%}, allowed {floor:.0%} or more")
